@@ -1,0 +1,63 @@
+# cmake -DROOT=<include folder> -P check_layers.cmake
+#
+# A header includes only its own layer or the layers above it in this list. Reads the #include lines of
+# all headers below ROOT and names every edge that goes the other way.
+
+cmake_minimum_required(VERSION 3.22)
+set(layers . atlas correspondence embedding tessellation IO draw.h) # . = Error.h, parameters.h, Visitor.h
+list(FIND layers tessellation convenience) # the last layer that simple_manifolds.h includes
+
+# What the atlas may take from elsewhere: it knows no mesh, no kernel and no solver.
+set(atlas_may_include "^(Eigen/|boost/multiprecision/|CGAL/assertions\\.h$|[a-z_0-9]+$)")
+
+# The position in the list of a path below CGAL/Simple_manifolds, -1 if it belongs to no layer.
+function(layer_of path result)
+  string(REGEX REPLACE "/.*" "" first "${path}")
+  list(FIND layers "${first}" position)
+  if(position EQUAL -1 AND NOT path MATCHES "/")
+    set(position 0)
+  endif()
+  set(${result} ${position} PARENT_SCOPE)
+endfunction()
+
+file(GLOB_RECURSE headers RELATIVE ${ROOT}/CGAL ${ROOT}/CGAL/*.h)
+if(NOT headers)
+  message(FATAL_ERROR "no header below ${ROOT}/CGAL")
+endif()
+
+foreach(header ${headers})
+  if(header STREQUAL "simple_manifolds.h")
+    set(own ${convenience})
+  else()
+    string(REGEX REPLACE "^Simple_manifolds/" "" path "${header}")
+    layer_of("${path}" own)
+    if(own EQUAL -1)
+      message(SEND_ERROR "${header} is in no layer")
+      continue()
+    endif()
+  endif()
+
+  file(STRINGS ${ROOT}/CGAL/${header} lines REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]")
+  foreach(line ${lines})
+    string(REGEX REPLACE "^[^<\"]*[<\"]([^>\"]*)[>\"].*" "\\1" included "${line}")
+    if(included MATCHES "^CGAL/Simple_manifolds/(.*)")
+      layer_of("${CMAKE_MATCH_1}" other)
+      if(other EQUAL -1)
+        message(SEND_ERROR "${header} includes ${included}, which is in no layer")
+      elseif(other GREATER own)
+        message(SEND_ERROR "${header} includes ${included}, which is a later layer")
+      elseif(NOT EXISTS ${ROOT}/${included})
+        message(SEND_ERROR "${header} includes ${included}, which does not exist")
+      endif()
+    elseif(included STREQUAL "CGAL/simple_manifolds.h")
+      message(SEND_ERROR "${header} includes the convenience header")
+    elseif(line MATCHES "include[ \t]*\"")
+      message(SEND_ERROR "${header} includes \"${included}\": write <CGAL/Simple_manifolds/...>")
+    elseif(path MATCHES "^atlas/" AND NOT included MATCHES "${atlas_may_include}")
+      message(SEND_ERROR "${header} includes ${included}, which the atlas must not know")
+    endif()
+  endforeach()
+endforeach()
+
+list(LENGTH headers count)
+message(STATUS "${count} headers read")
