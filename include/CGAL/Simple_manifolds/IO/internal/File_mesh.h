@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_FILE_MESH_H
+#define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_FILE_MESH_H
+
+#include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/correspondence/topology.h>
+
+#include <Eigen/Core>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+// What a mesh file holds: points and polygons of indices, in the form whose topology can be computed
+// before there is a mesh.
+class File_mesh {
+public:
+  std::vector<Eigen::Vector3d> points;
+
+  int number_of_vertices() const { return int(points.size()); }
+  int number_of_faces() const { return int(start_.size()) - 1; }
+  int number_of_half_edges() const { return start_.back(); }
+  int first(int f) const { return start_[f]; }
+  int last(int f) const { return start_[f + 1] - 1; }
+  int face(int h) const { return face_[h]; }
+  int next(int h) const { return h == last(face_[h]) ? first(face_[h]) : h + 1; }
+  int previous(int h) const { return h == first(face_[h]) ? last(face_[h]) : h - 1; }
+  int source(int h) const { return source_[h]; }
+  int target(int h) const { return source_[next(h)]; }
+  static constexpr bool knows_edges = false;
+  bool is_border_in_graph(int) const { return false; }
+
+  void reserve_faces(std::size_t n)
+  {
+    start_.reserve(n + 1);
+    source_.reserve(3 * n);
+    face_.reserve(3 * n);
+  }
+  // Corners are added one by one; a face is complete with end_face().
+  void add_corner(int v)
+  {
+    source_.push_back(v);
+    face_.push_back(number_of_faces());
+  }
+  void end_face() { start_.push_back(int(source_.size())); }
+
+private:
+  std::vector<int> source_, face_, start_ = {0};
+};
+
+// An index as it stands in a file; -1 stands for everything that cannot be an index.
+inline int to_index(double x)
+{
+  return x >= 0 && x <= std::numeric_limits<int>::max() && x == double(int(x)) ? int(x) : -1;
+}
+
+inline void require_existing_vertices(const std::string& file, const File_mesh& mesh)
+{
+  for (int h = 0; h < mesh.number_of_half_edges(); ++h)
+    if (mesh.source(h) < 0 || mesh.source(h) >= mesh.number_of_vertices())
+      throw IO_error(Error_code::syntax_error, file,
+                     "face " + std::to_string(mesh.face(h)) + " refers to vertex "
+                       + (mesh.source(h) < 0 ? "number below 0 or beyond 2^31" : std::to_string(mesh.source(h)))
+                       + ", but there are " + std::to_string(mesh.number_of_vertices()) + " vertices",
+                     0, Mesh_element::face(mesh.face(h)));
+}
+
+inline void require_finite_points(const std::string& file, const File_mesh& mesh)
+{
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    if (!mesh.points[v].allFinite())
+      throw Geometry_error(Error_code::non_finite_coordinate,
+                           file + ": vertex " + std::to_string(v) + " of " + std::to_string(mesh.points.size())
+                             + " has a coordinate that is NaN or infinite",
+                           Mesh_element::vertex(v));
+}
+
+// The topology of an oriented manifold mesh, possibly with border, several components and isolated
+// vertices; errors name the file and the first offending element.
+inline Mesh_topology checked_topology(const std::string& file, const File_mesh& mesh)
+{
+  require_existing_vertices(file, mesh);
+  require_finite_points(file, mesh);
+  std::vector<int> opposite;
+  try {
+    return topology_of_soup(mesh, opposite);
+  } catch (const Topology_error& e) {
+    throw Topology_error(e.code(), file + ": " + e.what(), e.element());
+  }
+}
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_FILE_MESH_H

@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_IO_READ_MESH_H
+#define CGAL_SIMPLE_MANIFOLDS_IO_READ_MESH_H
+
+#include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/parameters.h>
+#include <CGAL/Simple_manifolds/correspondence/topology.h>
+#include <CGAL/Simple_manifolds/IO/internal/File_mesh.h>
+#include <CGAL/Simple_manifolds/IO/internal/Ply_file.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_stl.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_text_formats.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+namespace internal {
+
+inline File_mesh read_file_mesh(const std::string& file)
+{
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  const bool is_known = extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl";
+  if (!is_known && std::filesystem::exists(file))
+    throw IO_error(Error_code::unsupported_format, file,
+                   "the extension \"" + extension + "\" is none of .off, .obj, .ply, .stl");
+  const std::string bytes = file_contents(file);
+  if (extension == ".off") return read_off(file, bytes);
+  if (extension == ".obj") return read_obj(file, bytes);
+  if (extension == ".stl") return read_stl(file, bytes);
+  return Ply_file(file, bytes).mesh();
+}
+
+} // namespace internal
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// Reads a mesh from an OFF, OBJ, PLY or STL file and adds it to `mesh`. The whole file is checked
+/// before anything is added, so that `mesh` is as it was when an error is thrown; memory and time are
+/// linear in the size of the file, whatever its header says. Isolated vertices are kept. Corners of an
+/// STL with equal coordinates become one vertex.
+///
+/// \param file  the extension says the format; OFF and OBJ are text, PLY and STL text or binary
+/// \param mesh  a model of `MutableFaceGraph`; it receives the vertices and faces in the file's order
+/// \param np    `vertex_point_map`
+/// \return the topology of what was read
+///
+/// \throw IO_error when the file is missing, empty, truncated, of another format, or refers to a vertex
+///        that does not exist
+/// \throw Geometry_error when a coordinate is NaN or infinite
+/// \throw Topology_error when there is no face, or a face is degenerate, an edge or a vertex not
+///        manifold, or the faces are not consistently oriented; it names the element
+template <class MutableFaceGraph, class NamedParameters = parameters::Default_named_parameters>
+Mesh_topology read_mesh(const std::string& file, MutableFaceGraph& mesh,
+               const NamedParameters& np = parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Vertex = typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor;
+
+  const internal::File_mesh contents = internal::read_file_mesh(file);
+  const Mesh_topology result = internal::checked_topology(file, contents);
+
+  auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                 get_property_map(CGAL::vertex_point, mesh));
+  using Point = typename boost::property_traits<decltype(points)>::value_type;
+
+  std::vector<Vertex> vertices;
+  vertices.reserve(contents.points.size());
+  for (const Eigen::Vector3d& p : contents.points) {
+    vertices.push_back(add_vertex(mesh));
+    put(points, vertices.back(), Point(p.x(), p.y(), p.z()));
+  }
+  std::vector<std::vector<Vertex>> faces;
+  faces.reserve(contents.number_of_faces());
+  for (int f = 0; f < contents.number_of_faces(); ++f) {
+    faces.emplace_back();
+    for (int h = contents.first(f); h <= contents.last(f); ++h)
+      faces.back().push_back(vertices[contents.source(h)]);
+  }
+  CGAL::Euler::add_faces(faces, mesh);
+  return result;
+}
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_IO_READ_MESH_H
