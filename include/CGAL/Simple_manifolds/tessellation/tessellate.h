@@ -67,6 +67,16 @@ void put_if_given(const Map& map, const Vertex& v, const Value& value)
   if constexpr (is_given<Map>) put(map, v, value);
 }
 
+// The grid for a surface, as fine as the parameters say.
+template <class Surface, class NamedParameters>
+Tile_grid<typename Surface::Atlas> tile_grid(const Surface& surface, const NamedParameters& np)
+{
+  using Grid = Tile_grid<typename Surface::Atlas>;
+  return Grid(CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::subdivisions),
+                                                 Grid::subdivisions_for(6000)),
+              surface.atlas());
+}
+
 } // namespace internal
 
 /// \ingroup PkgSimpleManifoldsTessellation
@@ -90,11 +100,9 @@ void tessellate(const Surface& surface, MutableFaceGraph& out,
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Grid = Tile_grid<typename Surface::Atlas>;
   using Vertex = typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor;
 
-  const int n = choose_parameter(get_parameter(np, internal_np::subdivisions), Grid::subdivisions_for(6000));
-  const Grid grid(n, surface.atlas());
+  const auto grid = internal::tile_grid(surface, np);
   const auto normals = get_parameter(np, internal_np::normal_map);
   const auto chart_points = get_parameter(np, internal_np::chart_point_map);
   const auto domain_points = get_parameter(np, internal_np::domain_point_map);

@@ -1,0 +1,147 @@
+// Maps a mesh onto the canonical surface of its genus, fits a smooth surface to it and writes both, a
+// tessellation, figures and samples into a folder.
+
+#include "program_tools.h"
+
+#include <CGAL/Simple_manifolds/IO/map_io.h>
+#include <CGAL/Simple_manifolds/IO/surface_io.h>
+#include <CGAL/Simple_manifolds/IO/write_tessellation.h>
+#include <CGAL/Simple_manifolds/embedding/fit_surface.h>
+#include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <variant>
+
+using namespace tools;
+
+namespace {
+
+struct Fit_request {
+  double rms, maximum;
+  int degree, smoothness;
+  long samples;
+};
+
+Fit_request fit_request(const Command_line& options)
+{
+  Fit_request r;
+  r.rms = options.get<double>("tolerance");
+  r.maximum = options.has("max-tolerance") ? options.get<double>("max-tolerance") : 10 * r.rms;
+  r.degree = options.get<int>("degree");
+  r.smoothness = options.get<int>("smoothness");
+  r.samples = options.get<long>("samples");
+  options.require(r.rms > 0 && std::isfinite(r.rms), "tolerance", "a positive number");
+  options.require(r.maximum > 0 && std::isfinite(r.maximum), "max-tolerance", "a positive number");
+  options.require(r.degree >= 2 && r.degree <= 5, "degree", "from 2 to 5");
+  options.require(r.smoothness >= 1 && r.smoothness <= 3, "smoothness", "from 1 to 3");
+  options.require(r.samples >= 0 && r.samples <= 100000000, "samples", "from 0 to 100000000");
+  return r;
+}
+
+// Calls f with the smoothstep bump of smoothness k: that is a type of its own for each k.
+template <class F>
+int with_bump(int k, const F& f)
+{
+  switch (k) {
+    case 1: return f(SM::Smoothstep_bump<1>());
+    case 2: return f(SM::Smoothstep_bump<2>());
+    default: return f(SM::Smoothstep_bump<3>());
+  }
+}
+
+Json metrics_of_surface(const SM::Fit_report& report)
+{
+  return {{"tolerance_reached", report.tolerance_reached},
+          {"controls", report.controls},
+          {"controls_per_side", report.controls_per_side},
+          {"patches_per_chart", report.patches},
+          {"rms_error", report.rms_error},
+          {"max_error", report.max_error},
+          {"closest_point_rms", report.closest_point_rms},
+          {"closest_point_max", report.closest_point_max},
+          {"seconds", {{"sampling", report.seconds.sampling}, {"solving", report.seconds.solving},
+                       {"measuring", report.seconds.measuring}, {"closest_point", report.seconds.closest_point}}}};
+}
+
+template <class Map, class Bump>
+int fit_and_write(const Command_line& options, const Fit_request& request, const Input& input, const Map& map,
+                  const Bump& bump, SM::Atomic_folder& folder, Progress& progress, Stopwatch& watch)
+{
+  Json metrics;
+  metrics["input"] = metrics_of_input(input, map);
+  metrics["map"] = metrics_of_map(map, watch);
+
+  SM::Fit_report report;
+  const auto surface = watch.time("fit", [&] {
+    return SM::fit_surface(map, SM::parameters::rms_error(request.rms).max_error(request.maximum)
+                                  .spline_degree(request.degree).bump(bump).fit_report(std::ref(report))
+                                  .visitor(std::ref(progress)));
+  });
+  metrics["surface"] = metrics_of_surface(report);
+  metrics["surface"]["smoothness"] = surface.smoothness();
+
+  // As many vertices as the mesh has, roughly, so that the tessellation shows what was fitted.
+  const int subdivisions = SM::Tile_grid<typename Map::Atlas>::subdivisions_for(
+    std::clamp(double(map.number_of_vertices()), 6000., 200000.));
+  metrics["parameters"] = {{"method", "certified"}, {"tolerance", request.rms}, {"max_tolerance", request.maximum},
+                           {"degree", request.degree}, {"bump", Bump::type}, {"bump_smoothness", request.smoothness},
+                           {"subdivisions", subdivisions}, {"samples", request.samples}};
+  watch.time("tessellate", [&] {
+    SM::write_tessellation(folder.file("surface.ply"), surface, map, SM::parameters::subdivisions(subdivisions));
+  });
+  watch.time("write", [&] {
+    SM::write_map(folder.file("map.ply"), map);
+    SM::write_surface(folder.file("surface.json"), surface);
+    if (request.samples > 0)
+      SM::write_samples(folder.file("samples.csv"), surface,
+                        SM::random_domain_points<typename Map::Atlas>(request.samples));
+  });
+  write_metrics(folder.file("metrics.json"), "fit_mesh", std::move(metrics), watch);
+  folder.commit();
+
+  const std::string errors = "rms error " + shown(report.rms_error) + " (tolerance " + shown(request.rms)
+                           + "), max " + shown(report.max_error) + " (tolerance " + shown(request.maximum)
+                           + ") of the diagonal, " + std::to_string(report.controls) + " controls";
+  if (!options.get<bool>("quiet"))
+    std::cout << summary(input, map) << "; " << errors << "; " << shown(watch.total()) << " s" << std::endl;
+  if (report.tolerance_reached) return SUCCESS;
+  std::cerr << "fit_mesh: the tolerance was not reached: " << errors << "; the files are written\n";
+  return TOLERANCE_NOT_REACHED;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return run("fit_mesh", [&]() -> int {
+    Command_line options(
+      "fit_mesh INPUT -o DIR [options]",
+      "Fits a smooth surface to a mesh (OFF, OBJ, PLY, STL; closed of genus 0 or 1, or a disk) and writes into\n"
+      "DIR: map.ply, surface.json, surface.ply, metrics.json and, with --samples, samples.csv.\n"
+      "Exit status: 0 success, 1 tolerance not reached (the files are written), 2 usage, 3 unreadable input,\n"
+      "4 unsupported topology or geometry.");
+    options.add("tolerance", po::value<double>()->default_value(2e-3, "0.002"),
+                "root mean square error allowed, fraction of the bounding box diagonal");
+    options.add("max-tolerance", po::value<double>(), "largest error allowed, likewise (default: 10 times that)");
+    options.add("degree", po::value<int>()->default_value(3), "degree of the splines, 2 to 5");
+    options.add("smoothness", po::value<int>()->default_value(2), "smoothness of the blend, 1 to 3");
+    options.add("samples", po::value<long>()->default_value(0), "write this many random points of the surface");
+    options.parse(argc, argv);
+    const Fit_request request = fit_request(options);
+
+    Stopwatch watch;
+    const Input input = watch.time("read", [&] { return read_input(options); });
+    SM::Atomic_folder folder(options.get<std::string>("output"));
+    Progress progress(options.get<bool>("quiet"));
+    const auto any_map = watch.time("map", [&] {
+      return SM::map_to_canonical_surface(input.mesh, SM::parameters::default_values().visitor(std::ref(progress)));
+    });
+    return std::visit([&](const auto& map) {
+      return with_bump(request.smoothness, [&](const auto& bump) {
+        return fit_and_write(options, request, input, map, bump, folder, progress, watch);
+      });
+    }, any_map);
+  });
+}

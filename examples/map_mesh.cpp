@@ -1,0 +1,63 @@
+// Maps a mesh one to one onto the canonical surface of its genus and writes the map as a PLY file.
+
+#include "program_tools.h"
+
+#include <CGAL/Simple_manifolds/IO/map_io.h>
+#include <CGAL/Simple_manifolds/correspondence/Map_options.h>
+
+#include <functional>
+#include <variant>
+
+using namespace tools;
+
+int main(int argc, char** argv)
+{
+  return run("map_mesh", [&]() -> int {
+    Command_line options(
+      "map_mesh INPUT -o OUT.ply [options]",
+      "Maps a mesh (OFF, OBJ, PLY, STL; closed of genus 0 or 1, or a disk) one to one onto the unit sphere,\n"
+      "the flat torus or the unit square, and writes the map.\n"
+      "Exit status: 0 success, 2 usage, 3 unreadable input, 4 unsupported topology or geometry.");
+    options.add("energy", po::value<std::string>()->default_value("symmetric_dirichlet"),
+                "the distortion to minimise: symmetric_dirichlet, amips");
+    options.add("lambda", po::value<double>()->default_value(SM::Map_options().lambda, "0.3"),
+                "weight of area against angle in amips");
+    options.add("balance", po::bool_switch(), "give the charts equal numbers of vertices");
+    options.add("refine", po::bool_switch(), "split edges so that every star lies in a chart");
+    options.add("metrics", po::value<std::string>(), "also write figures to this JSON file");
+    options.parse(argc, argv);
+    options.require_choice("energy", {"symmetric_dirichlet", "amips"});
+    const double lambda = options.get<double>("lambda");
+    options.require(lambda > 0 && std::isfinite(lambda), "lambda", "a positive number");
+    Command_line::not_yet(options.get<bool>("balance"), "--balance");
+    Command_line::not_yet(options.get<bool>("refine"), "--refine");
+    const bool is_amips = options.get<std::string>("energy") == "amips";
+    const bool is_quiet = options.get<bool>("quiet");
+    const std::string file = options.get<std::string>("output");
+
+    Stopwatch watch;
+    const Input input = watch.time("read", [&] { return read_input(options); });
+    Progress progress(is_quiet);
+    const auto any_map = watch.time("map", [&] {
+      return SM::map_to_canonical_surface(
+        input.mesh, SM::parameters::energy(is_amips ? SM::Energy::AMIPS : SM::Energy::SYMMETRIC_DIRICHLET)
+                      .energy_lambda(lambda).visitor(std::ref(progress)));
+    });
+
+    return std::visit([&](const auto& map) -> int {
+      Json metrics;
+      metrics["input"] = metrics_of_input(input, map);
+      metrics["map"] = metrics_of_map(map, watch);
+      metrics["parameters"] = {{"method", "certified"}, {"energy", options.get<std::string>("energy")},
+                               {"lambda", lambda}};
+      std::optional<SM::Atomic_file> probe; // no map without its metrics
+      if (options.has("metrics")) probe.emplace(options.get<std::string>("metrics"));
+      watch.time("write", [&] { SM::write_map(file, map); });
+      if (probe) write_metrics(options.get<std::string>("metrics"), "map_mesh", metrics, watch);
+      if (!is_quiet)
+        std::cout << summary(input, map) << "; angle " << shown(metrics["map"]["angle"].get<double>()) << ", area "
+                  << shown(metrics["map"]["area"].get<double>()) << "; " << shown(watch.total()) << " s\n";
+      return SUCCESS;
+    }, any_map);
+  });
+}

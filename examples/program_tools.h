@@ -1,0 +1,344 @@
+// What map_mesh and fit_mesh have in common: options, exit statuses, progress, figures.
+
+#ifndef SIMPLE_MANIFOLDS_EXAMPLES_PROGRAM_TOOLS_H
+#define SIMPLE_MANIFOLDS_EXAMPLES_PROGRAM_TOOLS_H
+
+#include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/IO/Atomic_file.h>
+#include <CGAL/Simple_manifolds/IO/read_mesh.h>
+#include <CGAL/Simple_manifolds/Visitor.h>
+#include <CGAL/Simple_manifolds/correspondence/certify.h>
+#include <CGAL/Simple_manifolds/correspondence/distortion.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
+#include <CGAL/Simple_manifolds/correspondence/topology.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/version.h>
+
+#include <boost/program_options.hpp>
+
+#include <nlohmann/json.hpp>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace tools {
+
+namespace SM = CGAL::Simple_manifolds;
+namespace po = boost::program_options;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Json = nlohmann::ordered_json;
+
+enum Status { SUCCESS = 0, TOLERANCE_NOT_REACHED = 1, USAGE = 2, UNREADABLE_INPUT = 3, UNSUPPORTED_INPUT = 4 };
+
+/// A command line that makes no sense, or asks for what this version does not have.
+struct Usage_error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What is thrown to end the program early without an error: after --help and --version.
+struct Done {};
+
+inline int status_of(const SM::Error& e)
+{
+  switch (e.code()) {
+    case SM::Error_code::cannot_open:
+    case SM::Error_code::unsupported_format:
+    case SM::Error_code::syntax_error: return UNREADABLE_INPUT;
+    case SM::Error_code::cannot_write: return USAGE;
+    default: return UNSUPPORTED_INPUT;
+  }
+}
+
+/// Runs a program; whatever goes wrong becomes one line on stderr and an exit status.
+template <class Program>
+int run(const char* name, const Program& program)
+{
+  const auto fail = [name](const std::string& message, int status) {
+    std::cerr << name << ": " << message << std::endl;
+    return status;
+  };
+  try {
+    return program();
+  } catch (const Done&) {
+    return SUCCESS;
+  } catch (const Usage_error& e) {
+    return fail(e.what() + std::string(" (see ") + name + " --help)", USAGE);
+  } catch (const po::error& e) {
+    return fail(e.what() + std::string(" (see ") + name + " --help)", USAGE);
+  } catch (const SM::Error& e) {
+    return fail(e.what(), status_of(e));
+  } catch (const std::bad_alloc&) {
+    return fail("the memory is not sufficient", UNSUPPORTED_INPUT);
+  } catch (const std::exception& e) {
+    return fail(e.what(), UNSUPPORTED_INPUT);
+  }
+}
+
+/// The command line: INPUT, and the options of both programs; each adds its own.
+class Command_line {
+public:
+  Command_line(std::string synopsis, std::string summary)
+    : synopsis_(std::move(synopsis)), summary_(std::move(summary)), options_("Options", 100)
+  {
+    add("output,o", po::value<std::string>()->required(), "where to write (required)");
+    add("method", po::value<std::string>()->default_value("certified"), "how to map: certified, paper");
+    add("threads", po::value<int>(), "threads to use; results do not depend on it");
+    add("quiet,q", po::bool_switch(), "print nothing but errors");
+    add("help,h", po::bool_switch(), "print this and end");
+    add("version", po::bool_switch(), "print the version and end");
+  }
+
+  void add(const char* name, const po::value_semantic* value, const char* help)
+  {
+    options_.add_options()(name, value, help);
+  }
+
+  /// \throw Done, Usage_error, po::error
+  void parse(int argc, char** argv)
+  {
+    namespace style = po::command_line_style;
+    po::options_description all = options_;
+    all.add_options()("input", po::value<std::string>()->required(), "");
+    po::positional_options_description positional;
+    positional.add("input", 1);
+    po::store(po::command_line_parser(argc, argv).options(all).positional(positional)
+                .style(style::unix_style & ~style::allow_guessing).run(), values_);
+    if (get<bool>("help")) {
+      std::cout << "Usage: " << synopsis_ << "\n\n" << summary_ << "\n\n" << options_;
+      throw Done();
+    }
+    if (get<bool>("version")) {
+      std::cout << "Simple_manifolds " << SIMPLE_MANIFOLDS_VERSION << ", CGAL " << CGAL_VERSION_STR << '\n';
+      throw Done();
+    }
+    if (!values_.count("input")) throw Usage_error("no INPUT is given");
+    po::notify(values_);
+    require_choice("method", {"certified", "paper"});
+    not_yet(get<std::string>("method") == "paper", "--method paper");
+    limit_threads();
+  }
+
+  bool has(const char* name) const { return values_.count(name) && !values_[name].defaulted(); }
+
+  template <class T>
+  T get(const char* name) const { return values_[name].as<T>(); }
+
+  void require_choice(const char* name, std::initializer_list<const char*> choices) const
+  {
+    std::string list;
+    for (const char* choice : choices) {
+      if (get<std::string>(name) == choice) return;
+      list += (list.empty() ? "" : ", ") + std::string(choice);
+    }
+    throw Usage_error(std::string("--") + name + " is one of " + list + ", not \"" + get<std::string>(name) + '"');
+  }
+
+  void require(bool is_right, const char* name, const std::string& range) const
+  {
+    if (!is_right) throw Usage_error(std::string("--") + name + " must be " + range);
+  }
+
+  static void not_yet(bool is_asked, const std::string& option)
+  {
+    if (is_asked) throw Usage_error("this version does not have " + option + " yet");
+  }
+
+private:
+  void limit_threads()
+  {
+    if (!has("threads")) return;
+    require(get<int>("threads") >= 1, "threads", "at least 1");
+#ifdef CGAL_LINKED_WITH_TBB
+    threads_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                     std::size_t(get<int>("threads")));
+#endif
+  }
+
+  std::string synopsis_, summary_;
+  po::options_description options_;
+  po::variables_map values_;
+#ifdef CGAL_LINKED_WITH_TBB
+  std::unique_ptr<tbb::global_control> threads_;
+#endif
+};
+
+/// Shows the running phase on a terminal, in one line that is wiped at the end; nothing into a pipe.
+class Progress : public SM::Default_visitor {
+public:
+  explicit Progress(bool is_quiet) : is_shown_(!is_quiet && isatty(STDERR_FILENO)) {}
+  ~Progress() { wipe(); }
+
+  void start_phase(const char* name)
+  {
+    name_ = name;
+    percent_ = -1;
+    progress(0);
+  }
+  void progress(double fraction)
+  {
+    const int percent = int(100 * fraction);
+    if (!is_shown_ || percent == percent_) return;
+    percent_ = percent;
+    std::fprintf(stderr, "\r\033[K%s %d %%", name_, percent);
+  }
+  void end_phase() { wipe(); }
+
+private:
+  void wipe()
+  {
+    if (is_shown_) std::fputs("\r\033[K", stderr);
+  }
+
+  bool is_shown_;
+  const char* name_ = "";
+  int percent_ = -1;
+};
+
+/// Wall clock seconds of the phases of a program.
+class Stopwatch {
+public:
+  /// Calls f() and adds its time to `phase`.
+  template <class F>
+  decltype(auto) time(const char* phase, const F& f)
+  {
+    struct Lap {
+      Stopwatch& watch;
+      const char* phase;
+      Clock::time_point start = Clock::now();
+      ~Lap()
+      {
+        double& seconds = watch.seconds_[phase].is_null() ? (watch.seconds_[phase] = 0.).get_ref<double&>()
+                                                          : watch.seconds_[phase].get_ref<double&>();
+        seconds += std::chrono::duration<double>(Clock::now() - start).count();
+      }
+    } lap{*this, phase};
+    return f();
+  }
+
+  Json seconds() const
+  {
+    Json s = seconds_;
+    s["total"] = total();
+    return s;
+  }
+  double total() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+  Json seconds_ = Json::object();
+};
+
+struct Input {
+  std::string file;
+  Mesh mesh;
+  SM::Mesh_topology topology;
+};
+
+inline Input read_input(const Command_line& options)
+{
+  Input input;
+  input.file = options.get<std::string>("input");
+  input.topology = SM::read_mesh(input.file, input.mesh);
+  return input;
+}
+
+/// A number for JSON, which knows no infinity.
+inline Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+template <class Map>
+Json metrics_of_input(const Input& input, const Map& map)
+{
+  return {{"file", input.file},
+          {"vertices", input.topology.vertices},
+          {"faces", input.topology.faces},
+          {"genus", input.topology.genus},
+          {"border_loops", input.topology.border_loops},
+          {"isolated_vertices", input.topology.isolated_vertices},
+          {"inward_oriented", map.is_inward_oriented()},
+          {"diagonal", map.diagonal()}};
+}
+
+/// Certifies the map once more, as it is going to be written, and measures it.
+template <class Map>
+Json metrics_of_map(const Map& map, Stopwatch& watch)
+{
+  const SM::Certificate certificate =
+    watch.time("certify", [&] { return SM::certify(map.atlas(), map.domain_points(), map.faces()); });
+  if (!certificate.is_valid())
+    throw SM::Numeric_error(SM::Error_code::map_not_bijective, certificate.sentence());
+  const SM::Distortion d = SM::distortion(map);
+  const SM::Chart_report charts = SM::chart_report(map);
+  return {{"atlas", Map::Atlas::name},
+          {"vertices", map.number_of_vertices()},
+          {"faces", map.number_of_faces()},
+          {"flipped", certificate.flipped},
+          {"degree", certificate.degree},
+          {"angle", number(d.angle_mean)},
+          {"area", number(d.area_mean_abs_log10)},
+          {"symmetric_dirichlet", number(d.symmetric_dirichlet)},
+          {"l2_efficiency", number(d.l2_efficiency)},
+          {"min_area", number(d.smallest_domain_area)},
+          {"chart_counts", charts.chart_counts},
+          {"stars_without_chart", charts.stars_without_chart},
+          {"faces_without_chart", charts.faces_without_chart}};
+}
+
+inline long long peak_memory_in_bytes()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+  return usage.ru_maxrss;
+#else
+  return 1024LL * usage.ru_maxrss;
+#endif
+}
+
+/// The metrics that both programs have; call it last, since it reads the clock.
+inline void write_metrics(const std::string& file, const char* program, Json metrics, const Stopwatch& watch)
+{
+  metrics["seconds"] = watch.seconds();
+  metrics["peak_memory_bytes"] = peak_memory_in_bytes();
+  metrics["program"] = program;
+  metrics["version"] = {{"simple_manifolds", SIMPLE_MANIFOLDS_VERSION}, {"cgal", CGAL_VERSION_STR}};
+  SM::Atomic_file output(file);
+  output.stream() << metrics.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  output.commit();
+}
+
+/// E.g. "1.23e-03".
+inline std::string shown(double x)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+/// "hand.off: sphere, 1197 vertices, 2390 faces", for the line that says what was done.
+template <class Map>
+std::string summary(const Input& input, const Map& map)
+{
+  return input.file + ": " + Map::Atlas::name + ", " + std::to_string(map.number_of_vertices()) + " vertices, "
+       + std::to_string(map.number_of_faces()) + " faces" + (map.is_inward_oriented() ? ", inward oriented" : "");
+}
+
+} // namespace tools
+
+#endif // SIMPLE_MANIFOLDS_EXAMPLES_PROGRAM_TOOLS_H

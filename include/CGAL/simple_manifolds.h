@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_H
+#define CGAL_SIMPLE_MANIFOLDS_H
+
+/// \file
+/// Convenience header: all of the package but IO, which needs nlohmann_json, and drawing, which needs Qt.
+
+#include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/Visitor.h>
+#include <CGAL/Simple_manifolds/parameters.h>
+
+#include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
+#include <CGAL/Simple_manifolds/atlas/Chart_point.h>
+#include <CGAL/Simple_manifolds/atlas/Jet.h>
+#include <CGAL/Simple_manifolds/atlas/Partition_of_unity.h>
+#include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
+#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
+#include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
+
+#include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
+#include <CGAL/Simple_manifolds/correspondence/Map_options.h>
+#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/certify.h>
+#include <CGAL/Simple_manifolds/correspondence/distortion.h>
+#include <CGAL/Simple_manifolds/correspondence/topology.h>
+
+#include <CGAL/Simple_manifolds/embedding/Bspline_basis.h>
+#include <CGAL/Simple_manifolds/embedding/Fit_report.h>
+#include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
+#include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
+#include <CGAL/Simple_manifolds/embedding/Map_embedding.h>
+#include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
+#include <CGAL/Simple_manifolds/embedding/Spline_patch.h>
+#include <CGAL/Simple_manifolds/embedding/Surface_fitter.h>
+#include <CGAL/Simple_manifolds/embedding/fit_surface.h>
+
+#include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
+#include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
+#include <CGAL/Simple_manifolds/tessellation/tessellate.h>
+
+#endif // CGAL_SIMPLE_MANIFOLDS_H

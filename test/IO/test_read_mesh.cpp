@@ -1,0 +1,255 @@
+#include "catch.h"
+#include "meshes.h"
+
+#include "temporary_folder.h"
+
+#include <CGAL/Simple_manifolds/IO/read_mesh.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <chrono>
+#include <cstdint>
+#include <cstring>
+
+namespace SM = CGAL::Simple_manifolds;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using SM::Error_code;
+
+namespace {
+
+const char* tetrahedron_off = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1e-3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+
+std::string le(std::uint32_t x) { return {char(x), char(x >> 8), char(x >> 16), char(x >> 24)}; }
+
+std::string le(float x)
+{
+  std::uint32_t bits;
+  std::memcpy(&bits, &x, 4);
+  return le(bits);
+}
+
+// The tetrahedron of tetrahedron_off.
+std::string binary_stl()
+{
+  const float p[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1e-3f}};
+  const int f[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  std::string s = "solid, though binary";
+  s.resize(80);
+  s += le(std::uint32_t(4));
+  for (const auto& t : f) {
+    s += std::string(12, '\0');
+    for (int v : t)
+      for (float x : p[v]) s += le(x);
+    s += std::string(2, '\0');
+  }
+  return s;
+}
+
+// Reads a file that has to be refused; the mesh stays empty.
+SM::Error_code refused(const std::string& file, std::string* message = nullptr)
+{
+  Mesh mesh;
+  try {
+    SM::read_mesh(file, mesh);
+  } catch (const SM::Error& e) {
+    CHECK(mesh.number_of_vertices() == 0);
+    CHECK(std::string(e.what()).find(file) != std::string::npos);
+    CHECK(std::string(e.what()).find('\n') == std::string::npos);
+    if (message) *message = e.what();
+    return e.code();
+  }
+  FAIL("the file was accepted");
+  return {};
+}
+
+} // namespace
+
+TEST_CASE("the four formats give the same mesh")
+{
+  const Temporary_folder folder;
+  const std::string ply_vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1e-3\n";
+  const std::vector<std::string> files = {
+    folder.write("a.off", tetrahedron_off),
+    folder.write("b.OFF", "# comment\nCOFF # here too\n4 4\n0 0 0 255 0 0\n1 0 0 1 1 1\n0 1 0 0 0 0\n0 0 0.001 0 0 0\n"
+                          "3 0 2 1 0.5\n3 0 1 3\n3 1 2 3\n3 2 0 3"),
+    folder.write("c.obj", "# comment\no thing\nv 0 0 0\nv 1 0 0\nvn 0 0 1\nv 0 1 0\nv 0 0 .001\r\nf 1/1/1 3//1 2\n"
+                          "f 1 2 4\nf -3 -2 -1\nusemtl x\nf 3 1 4\n"),
+    folder.write("d.ply", "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 4\nproperty float x\nproperty float y\n"
+                          "property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
+                            + ply_vertices + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
+    folder.write("e.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                          "property list uchar int more\nelement face 4\nproperty uchar red\n"
+                          "property list uchar uint vertex_index\nelement edge 1\nproperty int a\nend_header\n"
+                          "0 0 0 0\n1 0 0 2 7 7\n0 1 0 0\n0 0 1e-3 1 1\n9 3 0 2 1\n9 3 0 1 3\n9 3 1 2 3\n9 3 2 0 3\n5\n"),
+    folder.write("g.stl", "solid t\nfacet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0\nendloop\n"
+                          "endfacet\nfacet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 0.001\nendloop\n"
+                          "endfacet\nfacet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1e-3\nendloop\n"
+                          "endfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 1 0\nvertex -0 0 0\nvertex 0 0 1e-3\nendloop\n"
+                          "endfacet\nendsolid t\n"),
+    folder.write("h.stl", binary_stl())};
+  for (const std::string& file : files) {
+    INFO(file);
+    Mesh mesh;
+    const SM::Mesh_topology topology = SM::read_mesh(file, mesh);
+    CHECK(topology.vertices == 4);
+    CHECK(topology.genus == 0);
+    REQUIRE(mesh.number_of_vertices() == 4);
+    REQUIRE(mesh.number_of_faces() == 4);
+    CHECK(mesh.is_valid());
+    CHECK(CGAL::is_closed(mesh));
+    double highest = 0;
+    for (auto v : mesh.vertices()) highest = std::max(highest, mesh.point(v).z());
+    CHECK(std::abs(highest - 1e-3) < 1e-9);
+  }
+}
+
+TEST_CASE("binary PLY of both byte orders, doubles bit for bit")
+{
+  const Temporary_folder folder;
+  const double x = 0.1 + 1e-17;
+  for (bool big : {false, true}) {
+    std::string data;
+    const auto add = [&](const void* p, std::size_t n) {
+      std::string bytes(static_cast<const char*>(p), n); // little endian here
+      if (big) std::reverse(bytes.begin(), bytes.end());
+      data += bytes;
+    };
+    for (double y : {0., 0., 0., x, 0., 0., 0., -x, 0.}) add(&y, 8);
+    data += '\3';
+    for (std::int32_t v : {0, 1, 2}) add(&v, 4);
+    const std::string file = folder.write("m.ply", std::string("ply\nformat binary_") + (big ? "big" : "little")
+      + "_endian 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\nelement face 1\n"
+        "property list uchar int vertex_indices\nend_header\n" + data);
+    Mesh mesh;
+    CHECK(SM::read_mesh(file, mesh).is_disk());
+    REQUIRE(mesh.number_of_vertices() == 3);
+    CHECK(mesh.point(Mesh::Vertex_index(1)).x() == x);
+    CHECK(mesh.point(Mesh::Vertex_index(2)).y() == -x);
+  }
+}
+
+TEST_CASE("real files, polygons, borders, isolated vertices, Polyhedron_3")
+{
+  const auto size = [](const std::string& name) {
+    Mesh mesh;
+    SM::read_mesh(cgal_mesh(name), mesh);
+    CHECK(mesh.is_valid());
+    return std::make_pair(mesh.number_of_vertices(), mesh.number_of_faces());
+  };
+  using Size = decltype(size(""));
+  CHECK(size("knot1.off") == Size(3200, 6400));
+  CHECK(size("cube_quad.off") == Size(8, 6));
+  CHECK(size("mesh_with_colors.off") == Size(8, 4));
+  CHECK(size("sphere.stl") == Size(162, 320));
+  CHECK(size("sphere.ply") == Size(162, 320));
+
+  CGAL::Polyhedron_3<Kernel> polyhedron;
+  CHECK(SM::read_mesh(cgal_mesh("elk.off"), polyhedron).genus == 1);
+  CHECK(polyhedron.is_valid());
+  CHECK(polyhedron.size_of_facets() == 3290);
+
+  const Temporary_folder folder;
+  Mesh mesh;
+  const auto topology = SM::read_mesh(folder.write("i.off", "OFF\n4 1 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n"), mesh);
+  CHECK(mesh.number_of_vertices() == 4);
+  CHECK(topology.isolated_vertices == 1);
+}
+
+TEST_CASE("files that cannot be read at all")
+{
+  const Temporary_folder folder;
+  CHECK(refused(folder("missing.off")) == Error_code::cannot_open);
+  CHECK(refused(folder("missing")) == Error_code::cannot_open);
+  std::filesystem::create_directory(folder("folder.off"));
+  CHECK(refused(folder("folder.off")) == Error_code::cannot_open);
+  CHECK(refused(folder.write("mesh.xyz", "0 0 0")) == Error_code::unsupported_format);
+  CHECK(refused(folder.write("mesh", "0 0 0")) == Error_code::unsupported_format);
+  CHECK(refused(folder.write("four.off", "4OFF\n0 0 0\n")) == Error_code::unsupported_format);
+  for (const std::string extension : {".off", ".obj", ".ply", ".stl"}) {
+    CHECK(refused(folder.write("empty" + extension, "")) == Error_code::syntax_error);
+    CHECK(refused(folder.write("text" + extension, "This is a letter,\nnot a mesh.\n")) == Error_code::syntax_error);
+    CHECK(refused(folder.write("bytes" + extension, std::string(1000, '\xff'))) == Error_code::syntax_error);
+    CHECK(refused(folder.write("zeros" + extension, std::string(85, '\0'))) == Error_code::syntax_error);
+  }
+}
+
+TEST_CASE("every truncation of a file is an error or a smaller mesh, never a crash")
+{
+  const Temporary_folder folder;
+  Mesh mesh;
+  SM::read_mesh(cgal_mesh("tetrahedron.off"), mesh);
+  const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::string ply = header + std::string(48, '\1') + '\3' + le(0u) + le(1u) + le(2u);
+  for (const auto& [name, contents] : std::vector<std::pair<std::string, std::string>>{
+         {"t.off", tetrahedron_off}, {"t.ply", ply}, {"t.stl", binary_stl()}}) {
+    int accepted = 0;
+    for (std::size_t n = 0; n < contents.size(); ++n) {
+      Mesh m;
+      try {
+        SM::read_mesh(folder.write(name, contents.substr(0, n)), m);
+        ++accepted;
+      } catch (const SM::Error&) {
+      }
+    }
+    CHECK(accepted == (name == "t.off" ? 1 : 0)); // OFF: without the last line break
+  }
+}
+
+TEST_CASE("a header that announces too much is refused at once")
+{
+  const Temporary_folder folder;
+  const auto start = std::chrono::steady_clock::now();
+  std::string message;
+  CHECK(refused(folder.write("a.off", "OFF\n1000000000 1 0\n0 0 0\n"), &message) == Error_code::syntax_error);
+  CHECK_THAT(message, Catch::Matchers::ContainsSubstring("1000000000 vertices"));
+  CHECK(refused(folder.write("b.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2000000000 0 1 2\n"))
+        == Error_code::syntax_error);
+  CHECK(refused(folder.write("c.off", "OFF\n-3 1 0\n0 0 0\n")) == Error_code::syntax_error);
+  const std::string head = "ply\nformat ascii 1.0\nelement vertex ", tail = "\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n";
+  for (const char* n : {"1000000000", "9223372036854775807", "99999999999999999999", "-1"})
+    CHECK(refused(folder.write("a.ply", head + n + tail + "0 0 0\n3 0 0 0\n")) == Error_code::syntax_error);
+  CHECK(refused(folder.write("b.ply", head + "1" + tail + "0 0 0\n4000000000 0 0 0\n")) == Error_code::syntax_error);
+  std::string stl = binary_stl();
+  stl[82] = '\x7f';
+  CHECK(refused(folder.write("a.stl", stl)) == Error_code::syntax_error);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+}
+
+TEST_CASE("bad data name the element and the line")
+{
+  const Temporary_folder folder;
+  std::string message;
+  const std::string three = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
+  CHECK(refused(folder.write("a.off", three + "3 0 1 3\n"), &message) == Error_code::syntax_error);
+  CHECK_THAT(message, Catch::Matchers::ContainsSubstring("face 0 refers to vertex 3, but there are 3"));
+  CHECK(refused(folder.write("b.off", three + "3 0 1 -1\n")) == Error_code::syntax_error);
+  CHECK(refused(folder.write("c.off", three + "3 0 1 x\n"), &message) == Error_code::syntax_error);
+  CHECK_THAT(message, Catch::Matchers::ContainsSubstring("line 6"));
+  CHECK(refused(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")) == Error_code::syntax_error);
+  CHECK(refused(folder.write("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n")) == Error_code::syntax_error);
+
+  for (const std::string bad : {"nan", "inf", "-inf", "1e999"}) {
+    CHECK(refused(folder.write("n.off", "OFF\n3 1 0\n0 0 0\n1 " + bad + " 0\n0 1 0\n3 0 1 2\n"), &message)
+          == Error_code::non_finite_coordinate);
+    CHECK_THAT(message, Catch::Matchers::ContainsSubstring("vertex 1 of 3"));
+  }
+  CHECK(refused(folder.write("f.off", three + "3 0 1 1\n")) == Error_code::degenerate_face);
+  CHECK(refused(folder.write("g.off", three + "2 0 1\n")) == Error_code::degenerate_face);
+  CHECK(refused(folder.write("h.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n")) == Error_code::empty_mesh);
+
+  const std::string five = "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n";
+  CHECK(refused(folder.write("i.off", five + "3 0 1 2\n3 1 0 3\n3 0 1 4\n"), &message) == Error_code::non_manifold_edge);
+  CHECK_THAT(message, Catch::Matchers::ContainsSubstring("(0,1)") && Catch::Matchers::ContainsSubstring("3 faces"));
+  CHECK(refused(folder.write("j.off", five + "3 0 1 2\n3 0 1 3\n3 0 2 4\n"), &message)
+        == Error_code::inconsistent_orientation);
+  CHECK_THAT(message, Catch::Matchers::ContainsSubstring("faces 0 and 1"));
+  CHECK(refused(folder.write("k.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 0 3 4\n"), &message)
+        == Error_code::non_manifold_vertex);
+  CHECK_THAT(message, Catch::Matchers::ContainsSubstring("vertex 0"));
+}

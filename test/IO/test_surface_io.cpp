@@ -1,0 +1,152 @@
+#include "catch.h"
+
+#include "temporary_folder.h"
+
+#include <CGAL/Simple_manifolds/IO/surface_io.h>
+
+#include <cmath>
+
+namespace SM = CGAL::Simple_manifolds;
+using SM::Error_code;
+
+namespace {
+
+Eigen::Vector3d some_vector(int k) { return {std::sin(k), std::cos(7 * k) / 3, 1e-17 * k + k}; }
+
+// A dense patch and a sparse one in each chart.
+template <class Atlas, class Bump = SM::Smoothstep_bump<2>>
+auto some_surface(int degree = 3)
+{
+  int k = 0;
+  std::vector<SM::Patch_stack_embedding> charts;
+  for (int c = 0; c < Atlas::number_of_charts; ++c) {
+    const int nu = degree + 1 + c, nv = degree + 2;
+    std::vector<Eigen::Vector3d> dense(nu * nv), sparse(2);
+    for (auto& x : dense) x = some_vector(++k);
+    for (auto& x : sparse) x = some_vector(++k);
+    charts.emplace_back(std::vector<SM::Spline_patch>{
+      SM::Spline_patch({0, 0, 1, 1}, degree, nu, nv, dense),
+      SM::Spline_patch({0.1, 0.2, 0.7, 1}, degree, nu, nv, sparse, {nv + 1, 2})});
+  }
+  return SM::Manifold_surface<Atlas, SM::Patch_stack_embedding, Bump>(charts);
+}
+
+template <class Surface>
+bool same_surface(const Surface& a, const Surface& b)
+{
+  for (int c = 0; c < Surface::Atlas::number_of_charts; ++c) {
+    const auto &p = a.chart_embedding(c).patches(), &q = b.chart_embedding(c).patches();
+    if (p.size() != q.size()) return false;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      if (p[i].support() != q[i].support() || p[i].degree() != q[i].degree() || p[i].nu() != q[i].nu()
+          || p[i].nv() != q[i].nv() || p[i].indices() != q[i].indices() || p[i].coefficients() != q[i].coefficients())
+        return false;
+  }
+  return true;
+}
+
+using Sphere = SM::Manifold_surface<SM::Sphere_atlas>;
+using Plane = SM::Manifold_surface<SM::Plane_atlas>;
+
+} // namespace
+
+TEMPLATE_TEST_CASE("surfaces read back bit for bit", "", SM::Plane_atlas, SM::Sphere_atlas, SM::Torus_atlas)
+{
+  const Temporary_folder folder;
+  const auto surface = some_surface<TestType>();
+  SM::write_surface(folder("s.json"), surface);
+  using Surface = std::decay_t<decltype(surface)>;
+  CHECK(same_surface(SM::read_surface<Surface>(folder("s.json")), surface));
+  const auto any = SM::read_any_surface(folder("s.json"));
+  REQUIRE(std::holds_alternative<Surface>(any));
+  CHECK(same_surface(std::get<Surface>(any), surface));
+  CHECK(folder.entries() == std::vector<std::string>{"s.json"});
+}
+
+TEST_CASE("atlas, bump and degree are written and must agree")
+{
+  const Temporary_folder folder;
+  const std::string file = folder("s.json");
+  const auto surface = some_surface<SM::Torus_atlas, SM::Bspline_bump<3>>(4);
+  SM::write_surface(file, surface);
+  const SM::Surface_header header = SM::read_surface_header(file);
+  CHECK(header.atlas == "torus");
+  CHECK(header.bump == "bspline");
+  CHECK(header.smoothness == 3);
+  CHECK(header.degree == 4);
+  CHECK(same_surface(SM::read_surface<std::decay_t<decltype(surface)>>(file), surface));
+  CHECK_THROWS_AS(SM::read_surface<SM::Manifold_surface<SM::Torus_atlas>>(file), SM::IO_error);
+  CHECK_THROWS_AS(SM::read_any_surface(file), SM::IO_error);
+  CHECK_NOTHROW(SM::read_any_surface<SM::Bspline_bump<3>>(file));
+  using Wrong_atlas = SM::Manifold_surface<SM::Sphere_atlas, SM::Patch_stack_embedding, SM::Bspline_bump<3>>;
+  CHECK_THROWS_AS(SM::read_surface<Wrong_atlas>(file), SM::IO_error);
+}
+
+TEST_CASE("a file by hand is read")
+{
+  const Temporary_folder folder;
+  const std::string file = folder.write("s.json", R"({"format":"simple_manifolds_surface","version":1,"atlas":"plane",
+    "bump":{"type":"smoothstep","smoothness":2},"degree":1,"charts":[{"patches":[{"support":[0,0,1,1],
+    "controls":[2,2],"coefficients":[[0,0,0],[0,1,0],[1,0,0],[1,1,4]]}]}]})");
+  const Plane plane = SM::read_surface<Plane>(file);
+  CHECK((plane.point(Eigen::Vector2d(0.5, 0.25)) - Eigen::Vector3d(0.5, 0.25, 0.5)).norm() < 1e-15);
+}
+
+TEST_CASE("damaged files are refused with the place of the damage")
+{
+  const Temporary_folder folder;
+  const auto plane = some_surface<SM::Plane_atlas>();
+  SM::write_surface(folder("good.json"), plane);
+  const nlohmann::json good = nlohmann::json::parse(folder.read("good.json"));
+  const auto message = [&](const std::string& text) {
+    const std::string file = folder.write("bad.json", text);
+    try {
+      SM::read_surface<Plane>(file);
+    } catch (const SM::IO_error& e) {
+      CHECK(e.code() == Error_code::syntax_error);
+      return std::string(e.what());
+    }
+    return std::string("accepted");
+  };
+  const auto changed = [&](const char* pointer, const nlohmann::json& value) {
+    nlohmann::json j = good;
+    j[nlohmann::json::json_pointer(pointer)] = value;
+    return message(j.dump());
+  };
+  using Catch::Matchers::ContainsSubstring;
+  const std::string patch = "/charts/0/patches/0/", sparse = "/charts/0/patches/1/";
+  CHECK(message(good.dump()) == "accepted");
+  CHECK_THAT(message(""), ContainsSubstring("empty"));
+  CHECK_THAT(message("{}\n{"), ContainsSubstring("line 2"));
+  CHECK_THAT(message("[]"), ContainsSubstring("no surface"));
+  CHECK_THAT(message("7"), ContainsSubstring("no surface"));
+  CHECK_THAT(message(std::string(100000, '[')), ContainsSubstring("no valid JSON"));
+  CHECK_THAT(message("{\"format\":1e999}"), ContainsSubstring("no valid JSON"));
+  CHECK_THAT(changed("/format", "other"), ContainsSubstring("no surface"));
+  CHECK_THAT(changed("/version", 2), ContainsSubstring("version"));
+  CHECK_THAT(changed("/atlas", "sphere"), ContainsSubstring("atlas"));
+  CHECK_THAT(changed("/bump/type", "boxcar"), ContainsSubstring("bump"));
+  CHECK_THAT(changed("/bump/smoothness", 3), ContainsSubstring("bump"));
+  CHECK_THAT(changed("/degree", 0), ContainsSubstring("degree"));
+  CHECK_THAT(changed("/degree", 2.5), ContainsSubstring("degree"));
+  CHECK_THAT(changed("/degree", 99), ContainsSubstring("degree"));
+  CHECK_THAT(changed("/charts", nlohmann::json::array()), ContainsSubstring("charts: 1 entries"));
+  CHECK_THAT(changed("/charts", 4), ContainsSubstring("array"));
+  CHECK_THAT(changed("/charts/0/patches", nlohmann::json::array()), ContainsSubstring("patch"));
+  CHECK_THAT(changed((patch + "support").c_str(), {0, 0, 1}), ContainsSubstring("charts[0].patches[0].support"));
+  CHECK_THAT(changed((patch + "support").c_str(), {0, 1, 1, 0}), ContainsSubstring("empty"));
+  CHECK_THAT(changed((patch + "support/0").c_str(), nullptr), ContainsSubstring("number"));
+  CHECK_THAT(changed((patch + "controls").c_str(), {3, 5}), ContainsSubstring("controls[0]"));
+  CHECK_THAT(changed((patch + "controls").c_str(), {100000, 100000}), ContainsSubstring("controls[1]"));
+  CHECK_THAT(changed((patch + "controls/0").c_str(), 18446744073709551615u), ContainsSubstring("controls[0]"));
+  CHECK_THAT(changed((patch + "controls/0").c_str(), 5), ContainsSubstring("25 entries"));
+  CHECK_THAT(changed((patch + "coefficients/3").c_str(), {1, 2}), ContainsSubstring("coefficients[3]"));
+  CHECK_THAT(changed((patch + "coefficients/3/1").c_str(), "x"), ContainsSubstring("coefficients[3][1]"));
+  CHECK_THAT(changed((sparse + "indices").c_str(), {1, 1}), ContainsSubstring("twice"));
+  CHECK_THAT(changed((sparse + "indices").c_str(), {1, 20}), ContainsSubstring("from 0 to 19"));
+  CHECK_THAT(changed((sparse + "indices").c_str(), {1, -1}), ContainsSubstring("indices[1]"));
+  CHECK_THAT(changed((sparse + "indices").c_str(), {1, 2, 3}), ContainsSubstring("3 entries"));
+  nlohmann::json j = good;
+  j.erase("bump");
+  CHECK_THAT(message(j.dump()), ContainsSubstring("\"bump\" is missing"));
+}
