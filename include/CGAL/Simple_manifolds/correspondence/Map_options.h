@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_OPTIONS_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_OPTIONS_H
+
+#include <CGAL/Simple_manifolds/parameters.h>
+
+#include <CGAL/assertions.h>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The distortion that a map minimises. With kappa = (s1/s2 + s2/s1)/2 >= 1 and rho = s1 s2 (relative to the
+/// target area) of a face, the mean over the faces, weighted by target area, is
+enum class Energy {
+  SYMMETRIC_DIRICHLET, ///< of kappa (rho + 1/rho): angle and area alike; 2 for an isometry
+  AMIPS                ///< of kappa + lambda (rho + 1/rho): small lambda favours angles over areas
+};
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// How long a map is relaxed. It changes the distortion by some percent, never the validity.
+enum class Effort {
+  FAST,    ///< half the sweeps
+  DEFAULT, ///< the schedule that pays on real meshes
+  QUALITY  ///< many more sweeps on coarse levels: long tails gain, for about 0.2 s per mesh
+};
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The numbers that steer a map, with their named parameters in parentheses.
+struct Map_options {
+  Energy energy = Energy::SYMMETRIC_DIRICHLET; ///< (`energy`)
+  /// (`energy_lambda`) Weight of area against angle in `Energy::AMIPS`, > 0.
+  double lambda = 0.3;
+  /// (`area_floor`) Share of uniform area in the target areas, in (0,1]: faces without area need some.
+  double area_floor = 0.05;
+  Effort effort = Effort::DEFAULT; ///< (`effort`)
+};
+
+namespace internal {
+
+template <class NamedParameters>
+Map_options map_options(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Map_options o;
+  o.energy = choose_parameter(get_parameter(np, internal_np::energy), o.energy);
+  o.lambda = choose_parameter(get_parameter(np, internal_np::energy_lambda), o.lambda);
+  o.area_floor = choose_parameter(get_parameter(np, internal_np::area_floor), o.area_floor);
+  o.effort = choose_parameter(get_parameter(np, internal_np::effort), o.effort);
+  CGAL_precondition(o.lambda > 0);
+  CGAL_precondition(o.area_floor > 0 && o.area_floor <= 1);
+  return o;
+}
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_OPTIONS_H

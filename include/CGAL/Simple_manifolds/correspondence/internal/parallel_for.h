@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_PARALLEL_FOR_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_PARALLEL_FOR_H
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#endif
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+// Calls f(first, last) for pieces that partition [begin,end). The pieces may run at the same time
+// under Parallel_tag, so f must give the same result in any order: then it does for any number of
+// threads. Short ranges are not worth a task switch and run here.
+template <class ConcurrencyTag, class F>
+void parallel_for(int begin, int end, const F& f)
+{
+  constexpr int grain = 1024;
+#ifdef CGAL_LINKED_WITH_TBB
+  if (std::is_convertible<ConcurrencyTag, Parallel_tag>::value && end - begin > 2 * grain) {
+    tbb::parallel_for(tbb::blocked_range<int>(begin, end, grain),
+                      [&](const tbb::blocked_range<int>& r) { f(r.begin(), r.end()); });
+    return;
+  }
+#else
+  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
+                "Parallel_tag needs TBB: link CGAL::TBB_support, or use Parallel_if_available_tag");
+  (void)grain;
+#endif
+  if (begin < end)
+    f(begin, end);
+}
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_PARALLEL_FOR_H

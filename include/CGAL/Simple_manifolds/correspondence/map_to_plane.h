@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_PLANE_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_PLANE_H
+
+#include <CGAL/Simple_manifolds/correspondence/internal/Square_border.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/Square_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/map_mesh.h>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+namespace internal {
+
+template <class ConcurrencyTag, class NamedParameters>
+Manifold_map<Plane_atlas> map_to_plane(const Mesh_arrays& a, const NamedParameters& np)
+{
+  require_disk(a.topology);
+  const Square_border disk(a.points, a.triangles);
+  const int n = static_cast<int>(disk.points().size());
+  std::vector<Eigen::Vector3d> closed_points = disk.points();
+  closed_points.push_back(closed_points[0]); // the apex: its position is never used
+  return certified_map<Plane_atlas, ConcurrencyTag>(
+    closed_points, disk.closed_triangles(), n, np,
+    [&](const std::vector<int>& order) {
+      std::vector<unsigned char> sides(n + 1, 0);
+      int apex = -1;
+      for (int i = 0; i <= n; ++i) {
+        if (order[i] == n)
+          apex = i;
+        else
+          sides[i] = disk.sides()[order[i]];
+      }
+      return Square_geometry(std::move(sides), apex);
+    },
+    [&](const Collapse_hierarchy&, const Square_geometry& geometry, const auto& number) {
+      std::vector<Eigen::Vector2d> domain_points(n);
+      for (int v = 0; v < n; ++v)
+        domain_points[v] = geometry.position(number(v));
+      return Manifold_map<Plane_atlas>(disk.points(), disk.triangles(), std::move(domain_points), a.points.size());
+    });
+}
+
+} // namespace internal
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// Maps a disk (a connected mesh of genus 0 with one border loop) one to one onto the unit square.
+///
+/// The corners of the square are four border vertices as nearly as possible a fourth of the border's length
+/// apart; the others slide on the sides. An interior edge that joins two vertices of one side is split at
+/// its middle, because its triangle would be flat on the side, and border edges are split where the border
+/// has fewer than four vertices: then the map has more vertices than the mesh, the surface is the same.
+///
+/// \copydetails map_to_sphere
+template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
+          class NamedParameters = parameters::Default_named_parameters>
+Manifold_map<Plane_atlas> map_to_plane(const FaceListGraph& mesh,
+                                       const NamedParameters& np = parameters::default_values())
+{
+  const internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
+  Manifold_map<Plane_atlas> map = internal::map_to_plane<ConcurrencyTag>(arrays, np);
+  internal::write_domain_points(mesh, arrays.index, map, np);
+  return map;
+}
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_PLANE_H

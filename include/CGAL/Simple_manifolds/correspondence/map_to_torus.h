@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_TORUS_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_TORUS_H
+
+#include <CGAL/Simple_manifolds/correspondence/internal/Torus_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/map_mesh.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/split_edges.h>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+namespace internal {
+
+// The corner of a face in the plane that covers the torus.
+struct Lifted_corner {
+  int vertex;
+  Eigen::Vector2d lift;
+};
+using Lifted_face = std::array<Lifted_corner, 3>;
+
+// Splits edges at their middles until the nearest lift of an edge is the edge: until all coordinate
+// differences are below 1/2. Only meshes of a few dozen vertices have longer ones.
+inline void split_long_edges(std::vector<Lifted_face>& faces, std::vector<Eigen::Vector3d>& points,
+                             std::vector<Eigen::Vector2d>& domain_points)
+{
+  const auto is_long = [](const Lifted_corner& a, const Lifted_corner& b) {
+    return !((b.lift - a.lift).cwiseAbs().maxCoeff() < 0.5);
+  };
+  for (;;) {
+    bool any = false;
+    for (const Lifted_face& f : faces)
+      any = any || is_long(f[0], f[1]) || is_long(f[1], f[2]) || is_long(f[2], f[0]);
+    if (!any)
+      return;
+    std::vector<Triangle> triangles;
+    for (const Lifted_face& f : faces)
+      triangles.push_back({f[0].vertex, f[1].vertex, f[2].vertex});
+    const Corner_table table(static_cast<int>(points.size()), triangles);
+    std::vector<int> middle(3 * faces.size(), -1);
+    std::vector<Lifted_face> result;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      std::array<bool, 3> split;
+      std::array<Lifted_corner, 3> corner;
+      for (int k = 0; k < 3; ++k) {
+        const int h = static_cast<int>(3 * f) + k;
+        const Lifted_corner &a = faces[f][k], &b = faces[f][(k + 1) % 3];
+        split[k] = is_long(a, b);
+        if (!split[k])
+          continue;
+        const Eigen::Vector2d lift = (a.lift + b.lift) / 2; // exact: one more binary place
+        if (middle[h] < 0) {
+          middle[h] = middle[table.opposite(h)] = static_cast<int>(points.size());
+          points.push_back((points[a.vertex] + points[b.vertex]) / 2);
+          domain_points.push_back(lift - lift.array().floor().matrix());
+        }
+        corner[k] = {middle[h], lift};
+      }
+      split_triangle(faces[f], split, corner, result);
+    }
+    faces.swap(result);
+  }
+}
+
+template <class ConcurrencyTag, class NamedParameters>
+Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a, const NamedParameters& np)
+{
+  require_closed_genus(a.topology, Torus_atlas::genus);
+  const int n = static_cast<int>(a.points.size()), m = static_cast<int>(a.triangles.size());
+  return certified_map<Torus_atlas, ConcurrencyTag>(
+    a.points, a.triangles, -1, np, [n, m](const std::vector<int>&) { return Torus_geometry(n, m); },
+    [&](const Collapse_hierarchy& mesh, Torus_geometry& geometry, const auto& number) {
+      geometry.wrap(mesh);
+      const Corner_table& table = mesh.table();
+      bool has_long_edge = false;
+      for (int h = 0; h < 3 * m && !has_long_edge; ++h)
+        has_long_edge = !((geometry.neighbour(table, h) - geometry.position(table.origin(h)))
+                            .cwiseAbs().maxCoeff() < 0.5);
+      std::vector<Eigen::Vector2d> domain_points(n);
+      std::vector<int> vertex(n); // of the input, per vertex of the hierarchy
+      for (int v = 0; v < n; ++v) {
+        vertex[number(v)] = v;
+        domain_points[v] = geometry.position(number(v));
+      }
+      if (!has_long_edge)
+        return Manifold_map<Torus_atlas>(a.points, a.triangles, std::move(domain_points), a.points.size());
+
+      std::vector<Lifted_face> faces;
+      for (int f = 0; f < m; ++f) {
+        const int u = table.origin(3 * f), v = table.origin(3 * f + 1), w = table.origin(3 * f + 2);
+        faces.push_back({Lifted_corner{vertex[u], geometry.position(u)},
+                         Lifted_corner{vertex[v], geometry.neighbour(table, 3 * f)},
+                         Lifted_corner{vertex[w], geometry.neighbour(table, table.opposite(3 * f + 2))}});
+      }
+      std::vector<Eigen::Vector3d> points = a.points;
+      split_long_edges(faces, points, domain_points);
+      std::vector<Triangle> triangles;
+      for (const Lifted_face& f : faces)
+        triangles.push_back({f[0].vertex, f[1].vertex, f[2].vertex});
+      return Manifold_map<Torus_atlas>(std::move(points), std::move(triangles), std::move(domain_points),
+                                       a.points.size());
+    });
+}
+
+} // namespace internal
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// Maps a closed mesh of genus 1 one to one onto the flat torus \f$R^2/Z^2\f$, without a cut.
+///
+/// The distortion is measured in the flat metric that suits the mesh best, so long and short tori do equally
+/// well. Where an edge is so long that the nearest copies of its ends are not those that it joins (meshes
+/// of a few dozen vertices), it is split at its middle: then the map has more vertices than the mesh, the
+/// surface is the same.
+///
+/// \copydetails map_to_sphere
+template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
+          class NamedParameters = parameters::Default_named_parameters>
+Manifold_map<Torus_atlas> map_to_torus(const FaceListGraph& mesh,
+                                       const NamedParameters& np = parameters::default_values())
+{
+  const internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
+  Manifold_map<Torus_atlas> map = internal::map_to_torus<ConcurrencyTag>(arrays, np);
+  internal::write_domain_points(mesh, arrays.index, map, np);
+  return map;
+}
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_TORUS_H

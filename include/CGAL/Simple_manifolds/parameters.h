@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_PARAMETERS_H
+#define CGAL_SIMPLE_MANIFOLDS_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+
+/// \file
+
+/// The named parameters of the package, each once: everything below is generated from this list.
+/// CGAL's own parameters (`vertex_point_map`, `visitor`, ...) are used where they fit.
+#define CGAL_SIMPLE_MANIFOLDS_FOR_EACH_PARAMETER(X)                                                  \
+  X(energy)              /* Energy: what a map minimises */                                          \
+  X(energy_lambda)       /* double: weight of area against angle in Energy::AMIPS */                 \
+  X(area_floor)          /* double in (0,1]: share of uniform area in the target areas */            \
+  X(effort)              /* Effort: how long a map is relaxed */                                     \
+  X(domain_point_map)    /* WritablePropertyMap vertex -> domain point */                            \
+  X(max_error)           /* double: largest |E - M| allowed, fraction of the diagonal */             \
+  X(rms_error)           /* double: largest root mean square of |E - M|, fraction of the diagonal */ \
+  X(spline_degree)       /* int in 2..5 */                                                           \
+  X(bump)                /* model of BumpFunction */                                                 \
+  X(max_controls_per_side) /* int: limit of the uniform refinement of a chart */                     \
+  X(fit_report)          /* std::reference_wrapper<Fit_report> */                                    \
+  X(subdivisions)        /* int: cells per side of a tile */                                         \
+  X(normal_map)          /* WritablePropertyMap vertex -> Vector_3 */                                \
+  X(chart_point_map)     /* WritablePropertyMap vertex -> Chart_point */
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+namespace internal_np {
+#define CGAL_SIMPLE_MANIFOLDS_TAG(name) enum name##_t { name };
+CGAL_SIMPLE_MANIFOLDS_FOR_EACH_PARAMETER(CGAL_SIMPLE_MANIFOLDS_TAG)
+#undef CGAL_SIMPLE_MANIFOLDS_TAG
+} // namespace internal_np
+
+/// A pack of named parameters that ends with one of this package: it can be continued by the
+/// package's parameters and by CGAL's, e.g. `max_error(1e-3).rms_error(1e-4).verbose(true)`.
+template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
+struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base> {
+  using Pack = CGAL::Named_function_parameters<T, Tag, Base>;
+  using Pack::Pack;
+
+#define CGAL_SIMPLE_MANIFOLDS_MEMBER(name)                                                           \
+  template <typename K>                                                                              \
+  Named_parameters<K, internal_np::name##_t, Pack> name(const K& value) const                        \
+  {                                                                                                  \
+    return Named_parameters<K, internal_np::name##_t, Pack>(value, *this);                           \
+  }
+CGAL_SIMPLE_MANIFOLDS_FOR_EACH_PARAMETER(CGAL_SIMPLE_MANIFOLDS_MEMBER)
+#undef CGAL_SIMPLE_MANIFOLDS_MEMBER
+};
+
+/// The functions `p(value)` and `p(value, other_parameters)`; the second appends to any pack, CGAL's
+/// included.
+namespace parameters {
+
+using CGAL::parameters::default_values;
+using CGAL::parameters::Default_named_parameters;
+
+#define CGAL_SIMPLE_MANIFOLDS_FUNCTION(name)                                                         \
+  template <typename K>                                                                              \
+  Named_parameters<K, internal_np::name##_t> name(const K& value)                                    \
+  {                                                                                                  \
+    return Named_parameters<K, internal_np::name##_t>(value);                                        \
+  }                                                                                                  \
+  template <typename K, typename T, typename Tag, typename Base>                                     \
+  Named_parameters<K, internal_np::name##_t, CGAL::Named_function_parameters<T, Tag, Base>>          \
+  name(const K& value, const CGAL::Named_function_parameters<T, Tag, Base>& other)                   \
+  {                                                                                                  \
+    return Named_parameters<K, internal_np::name##_t, CGAL::Named_function_parameters<T, Tag, Base>>(\
+      value, other);                                                                                 \
+  }
+CGAL_SIMPLE_MANIFOLDS_FOR_EACH_PARAMETER(CGAL_SIMPLE_MANIFOLDS_FUNCTION)
+#undef CGAL_SIMPLE_MANIFOLDS_FUNCTION
+
+} // namespace parameters
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_PARAMETERS_H
