@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_BARYCENTRIC_H
+#define CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_BARYCENTRIC_H
+
+#include <CGAL/Simple_manifolds/atlas/internal/exact_sign.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cmath>
+
+// Barycentric coordinates that are accurate in all triangles: a sliver in which rounding would spoil
+// them is solved exactly. A correspondence has such faces, and locating a point in one must not fail.
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+// A sum of terms of total magnitude S is wrong by about 1e-15 S: below this share of S too few digits
+// of it are left.
+constexpr double least_share = 1e-4;
+
+inline Eigen::Vector3d normalized_by_sum(const std::array<Integer, 3>& b)
+{
+  const Integer sum = b[0] + b[1] + b[2];
+  CGAL_precondition(!sum.is_zero());
+  // some versions of Boost refuse negative denominators
+  const int sign = sum.sign();
+  const Integer denominator = sign * sum;
+  const auto ratio = [&](const Integer& i) {
+    return boost::multiprecision::cpp_rational(Integer(sign * i), denominator).convert_to<double>();
+  };
+  return {ratio(b[0]), ratio(b[1]), ratio(b[2])};
+}
+
+// [p q r]^-1 x, divided by the sum of its coordinates.
+inline Eigen::Vector3d central_barycentric(const Eigen::Vector3d& p, const Eigen::Vector3d& q,
+                                           const Eigen::Vector3d& r, const Eigen::Vector3d& x)
+{
+  // det[x,q,r] = det[x,q-x,r-x]: the differences are almost exact in small triangles, where the left
+  // side would cancel
+  const Eigen::Vector3d a = p - x, b = q - x, c = r - x;
+  const Eigen::Vector3d beta(determinant(x, b, c), determinant(x, c, a), determinant(x, a, b));
+  const double sum = beta.sum();
+  const double magnitude = determinant_magnitude(x, b, c) + determinant_magnitude(x, c, a)
+                         + determinant_magnitude(x, a, b);
+  if (std::abs(sum) > least_share * magnitude + underflow_slack) { return beta / sum; }
+
+  const auto z = common_integers<12>({p[0], p[1], p[2], q[0], q[1], q[2],
+                                      r[0], r[1], r[2], x[0], x[1], x[2]});
+  const auto vector = [&z](int i) { return std::array<Integer, 3>{z[3 * i], z[3 * i + 1], z[3 * i + 2]}; };
+  const auto P = vector(0), Q = vector(1), R = vector(2), X = vector(3);
+  return normalized_by_sum({determinant(X, Q, R), determinant(P, X, R), determinant(P, Q, X)});
+}
+
+// The coordinates of x + kx in the triangle p, q + kq, r + kr.
+inline Eigen::Vector3d planar_barycentric(const Eigen::Vector2d& p, const Eigen::Vector2d& q,
+                                          const Eigen::Vector2i& kq, const Eigen::Vector2d& r,
+                                          const Eigen::Vector2i& kr, const Eigen::Vector2d& x,
+                                          const Eigen::Vector2i& kx)
+{
+  const Eigen::Vector2d d = shifted_difference(p, q, kq), e = shifted_difference(p, r, kr),
+                        f = shifted_difference(p, x, kx);
+  const double area = cross(d, e);
+  const double magnitude = std::abs(d[0] * e[1]) + std::abs(d[1] * e[0]);
+  if (std::abs(area) > least_share * magnitude + underflow_slack) {
+    const double b1 = cross(f, e) / area, b2 = cross(d, f) / area;
+    return {1 - b1 - b2, b1, b2};
+  }
+
+  const auto z = exact_differences<3>(p, {q, r, x}, {kq, kr, kx});
+  const Integer b1 = cross(z[2], z[1]), b2 = cross(z[0], z[2]);
+  return normalized_by_sum({Integer(cross(z[0], z[1]) - b1 - b2), b1, b2});
+}
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_BARYCENTRIC_H
