@@ -1,0 +1,256 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MANIFOLD_MAP_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MANIFOLD_MAP_H
+
+#include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/certify.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/Point_locator.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
+#include <CGAL/Simple_manifolds/correspondence/topology.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The correspondence M between a canonical surface and a triangle mesh (Grimm 2002, section 4): each
+/// vertex has a domain point, the faces are filled in by radial (sphere) or linear interpolation. Every
+/// object of this class is one to one: the constructor proves it.
+///
+/// Immutable; all members are thread safe.
+///
+/// \tparam Atlas_  `Sphere_atlas`, `Torus_atlas` or `Plane_atlas`
+/// \cgalModels{ManifoldMap}
+template <class Atlas_>
+class Manifold_map {
+public:
+  using Atlas = Atlas_;
+  using Domain_point = typename Atlas::Domain_point;
+
+  /// A point of the mesh: a face and barycentric coordinates in it, none negative, with sum 1 up to rounding.
+  struct Location {
+    int face = -1;
+    Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
+  };
+
+  /// \param points  the vertices in space
+  /// \param faces  positions in `points`, counterclockwise; positive in the domain
+  /// \param domain_points  one per vertex: unit vectors, in [0,1)^2 (torus), in [0,1]^2 (plane)
+  /// \param number_of_input_vertices  the vertices from here on were added on the edges of an input mesh
+  /// \pre `points.size() == domain_points.size()`, `number_of_input_vertices <= points.size()`
+  /// \throw Topology_error  when the mesh is no surface of the domain's genus and border
+  /// \throw Geometry_error  `non_finite_coordinate` for a vertex in space
+  /// \throw Numeric_error  `map_not_bijective`, with the sentence of the certificate and the first bad face
+  Manifold_map(std::vector<Eigen::Vector3d> points, std::vector<Triangle> faces,
+               std::vector<Domain_point> domain_points, std::size_t number_of_input_vertices)
+    : points_(std::move(points)), faces_(std::move(faces)), domain_points_(std::move(domain_points)),
+      number_of_input_vertices_(number_of_input_vertices), locator_(certified_locator())
+  {
+    measure();
+  }
+
+  /// \name The map as arrays
+  /// @{
+  const Atlas& atlas() const { return atlas_; }
+  std::size_t number_of_vertices() const { return points_.size(); }
+  std::size_t number_of_faces() const { return faces_.size(); }
+  std::size_t number_of_input_vertices() const { return number_of_input_vertices_; }
+
+  /// \pre `v < number_of_vertices()`
+  const Eigen::Vector3d& point(std::size_t v) const { return points_[v]; }
+  /// \pre `f < number_of_faces()`
+  const Triangle& face(std::size_t f) const { return faces_[f]; }
+  /// \pre `v < number_of_vertices()`
+  const Domain_point& domain_point(std::size_t v) const { return domain_points_[v]; }
+
+  const std::vector<Eigen::Vector3d>& points() const { return points_; }
+  const std::vector<Triangle>& faces() const { return faces_; }
+  const std::vector<Domain_point>& domain_points() const { return domain_points_; }
+
+  /// The default chart of a face: the chart that contains the whole face and whose centre is nearest to
+  /// the face's centroid in the domain, or -1 where none does.
+  /// \pre `f < number_of_faces()`
+  int chart(std::size_t f) const
+  {
+    const Triangle& t = faces_[f];
+    return internal::default_chart(atlas_, domain_points_[t[0]], domain_points_[t[1]], domain_points_[t[2]]);
+  }
+  /// @}
+
+  /// \name From the mesh to the domain and back
+  /// @{
+
+  /// M^-1: the domain point of a point of the mesh.
+  /// \pre `location.face` is a face; the barycentric coordinates are not negative and have sum 1
+  Domain_point to_domain(const Location& location) const
+  {
+    const Triangle& t = faces_[location.face];
+    for (int k = 0; k < 3; ++k)
+      if (location.barycentric[k] == 1) // without the rounding of lifts
+        return domain_points_[t[k]];
+    return atlas_.interpolate(domain_points_[t[0]], domain_points_[t[1]], domain_points_[t[2]],
+                              location.barycentric);
+  }
+
+  /// The point of the mesh that belongs to a domain point; always exists. Exact signs find the face, so
+  /// a vertex is found with barycentric coordinate 1, and a point of an edge in one of its two faces.
+  /// \param p  sphere: any vector but zero; torus and square: any point, brought into the domain first
+  ///   (modulo 1, or to the nearest point of the square)
+  /// \pre the coordinates are finite
+  Location to_mesh(const Domain_point& p) const { return to_mesh(p, -1); }
+
+  /// The same, faster when `p` lies near the face `face_hint`, which is tried first; -1 is no hint.
+  Location to_mesh(const Domain_point& p, int face_hint) const
+  {
+    CGAL_precondition(p.allFinite());
+    CGAL_precondition(-1 <= face_hint && face_hint < static_cast<int>(faces_.size()));
+    const Domain_point x = in_domain(p);
+    return location(locator_.locate(atlas_, domain_points_, faces_, x, face_hint), x);
+  }
+
+  /// The locations of a range of domain points, in order; each search starts at the one before.
+  /// \tparam Range  of `Domain_point`
+  /// \tparam OutputIterator  for `Location`
+  template <class Range, class OutputIterator>
+  OutputIterator to_mesh(const Range& points, OutputIterator out) const
+  {
+    int hint = -1;
+    for (const Domain_point& p : points) {
+      const Location found = to_mesh(p, hint);
+      hint = found.face;
+      *out++ = found;
+    }
+    return out;
+  }
+
+  /// The point in space of a location.
+  Eigen::Vector3d position(const Location& location) const
+  {
+    const Triangle& t = faces_[location.face];
+    return location.barycentric[0] * points_[t[0]] + location.barycentric[1] * points_[t[1]]
+         + location.barycentric[2] * points_[t[2]];
+  }
+
+  /// M(p): the point in space of a domain point.
+  Eigen::Vector3d operator()(const Domain_point& p) const { return position(to_mesh(p)); }
+  /// @}
+
+  /// \name What is known about it
+  /// @{
+
+  /// The proof that the map is one to one.
+  const Certificate& certificate() const { return certificate_; }
+  /// The diagonal of the bounding box of the input vertices: the unit of relative errors.
+  double diagonal() const { return diagonal_; }
+  /// Whether the mesh is closed and has a negative volume: its normals, and those of a surface fitted to
+  /// it, point inward.
+  bool is_inward_oriented() const { return is_inward_oriented_; }
+  /// @}
+
+private:
+  internal::Point_locator<Atlas> certified_locator()
+  {
+    CGAL_precondition(points_.size() == domain_points_.size());
+    CGAL_precondition(number_of_input_vertices_ <= points_.size());
+    std::vector<int> opposite;
+    const internal::Triangle_soup soup(static_cast<int>(points_.size()), faces_);
+    const Mesh_topology topology = internal::topology_of_soup(soup, opposite);
+    if constexpr (Atlas::is_closed)
+      require_closed_genus(topology, Atlas::genus);
+    else
+      require_disk(topology);
+    for (const Triangle& t : faces_)
+      for (int v : t)
+        if (!points_[v].allFinite())
+          throw Geometry_error(Error_code::non_finite_coordinate, "vertex " + std::to_string(v)
+                               + " has a coordinate that is not finite", Mesh_element::vertex(v));
+    certificate_ = internal::certify_surface(atlas_, domain_points_, faces_, opposite, topology);
+    if (!certificate_.is_valid())
+      throw Numeric_error(Error_code::map_not_bijective, certificate_.sentence(),
+                          certificate_.offending_faces.empty() ? Mesh_element()
+                          : Mesh_element::face(certificate_.offending_faces.front()));
+    return internal::Point_locator<Atlas>(domain_points_, faces_, std::move(opposite));
+  }
+
+  void measure()
+  {
+    Eigen::AlignedBox3d box;
+    double volume = 0; // six times
+    const Eigen::Vector3d origin = points_[faces_[0][0]];
+    for (const Triangle& t : faces_) {
+      for (int v : t)
+        if (v < static_cast<int>(number_of_input_vertices_))
+          box.extend(points_[v]);
+      volume += (points_[t[0]] - origin).dot((points_[t[1]] - origin).cross(points_[t[2]] - origin));
+    }
+    diagonal_ = box.isEmpty() ? 0. : box.diagonal().norm();
+    is_inward_oriented_ = Atlas::is_closed && volume < 0;
+  }
+
+  // The sphere's predicates do not depend on the length of a vector, and normalising would move it.
+  Domain_point in_domain(const Domain_point& p) const
+  {
+    if constexpr (std::is_same_v<Atlas, Sphere_atlas>) {
+      CGAL_precondition(!p.isZero(0));
+      return p;
+    } else {
+      return atlas_.canonical(p);
+    }
+  }
+
+  Location location(const internal::Located_face& found, const Domain_point& x) const
+  {
+    CGAL_assertion(found.face != -1); // the faces of a certified map cover the domain
+    const Triangle& t = faces_[found.face];
+    const auto& s = found.sign;
+    Location location;
+    location.face = found.face;
+    for (int k = 0; k < 3; ++k)
+      if (s[k] == 0 && s[(k + 2) % 3] == 0) { // both sides at corner k
+        location.barycentric[k] = 1;
+        return location;
+      }
+    Eigen::Vector3d beta
+      = atlas_.barycentric(domain_points_[t[0]], domain_points_[t[1]], domain_points_[t[2]], x);
+    for (int k = 0; k < 3; ++k)
+      if (s[k] == 0 || !(beta[(k + 2) % 3] > 0)) // the signs know better than rounded coordinates
+        beta[(k + 2) % 3] = 0;
+    location.barycentric = beta / beta.sum();
+    return location;
+  }
+
+  Atlas atlas_;
+  std::vector<Eigen::Vector3d> points_;
+  std::vector<Triangle> faces_;
+  std::vector<Domain_point> domain_points_;
+  std::size_t number_of_input_vertices_;
+  Certificate certificate_;
+  internal::Point_locator<Atlas> locator_; // after the members that it is made from
+  double diagonal_ = 0;
+  bool is_inward_oriented_ = false;
+};
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MANIFOLD_MAP_H

@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_TOPOLOGY_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_TOPOLOGY_H
+
+#include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/Polygon_soup.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/half_edges.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <vector>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// What a mesh is: an oriented surface, described by numbers. All of them leave isolated vertices out.
+struct Mesh_topology {
+  std::size_t vertices = 0;          ///< vertices of faces
+  std::size_t edges = 0;
+  std::size_t faces = 0;
+  std::size_t isolated_vertices = 0; ///< vertices of no face
+  std::size_t components = 0;        ///< connected components
+  std::size_t border_loops = 0;
+  std::size_t border_edges = 0;
+  std::size_t longest_border = 0;    ///< edges of the longest border loop
+  long euler_characteristic = 0;     ///< V - E + F
+  long genus = 0;                    ///< number of handles, summed over the components
+
+  bool is_closed() const { return border_loops == 0; }
+  bool is_connected() const { return components == 1; }
+  /// Whether the mesh is a disk: connected, one border loop, no handle.
+  bool is_disk() const { return is_connected() && border_loops == 1 && genus == 0; }
+
+  /// All of it in words, e.g. `the mesh is closed, connected, genus 2 (V - E + F = -2)`.
+  std::string sentence() const
+  {
+    const std::string loops = border_loops == 1 ? " border loop, is " : " border loops, is ";
+    const std::string border = is_closed() ? "the mesh is closed, "
+                                           : "the mesh has " + std::to_string(border_loops) + loops;
+    const std::string pieces = is_connected() ? "connected, genus " + std::to_string(genus)
+      : "in " + std::to_string(components) + " components, genus " + std::to_string(genus) + " in all";
+    return border + pieces + " (V - E + F = " + std::to_string(euler_characteristic) + ")";
+  }
+};
+
+namespace internal {
+
+template <class Soup>
+std::size_t number_of_components(const Soup& soup)
+{
+  std::vector<int> parent(soup.number_of_vertices());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](int v) {
+    while (parent[v] != v)
+      v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  std::vector<char> used(parent.size(), false);
+  for (int h = 0; h < soup.number_of_half_edges(); ++h) {
+    used[soup.source(h)] = true;
+    const int a = root(soup.source(h)), b = root(soup.target(h));
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+  std::size_t n = 0;
+  for (std::size_t v = 0; v < parent.size(); ++v)
+    n += used[v] && parent[v] == static_cast<int>(v);
+  return n;
+}
+
+// The numbers of a surface, and its opposite half-edges for whoever goes on with them.
+template <class Soup>
+Mesh_topology topology_of_soup(const Soup& soup, std::vector<int>& opposite)
+{
+  if (soup.number_of_faces() == 0)
+    throw Topology_error(Error_code::empty_mesh, "the mesh has no faces");
+  require_proper_faces(soup);
+  opposite = opposite_half_edges(soup);
+  require_no_pillow(soup, opposite);
+  require_manifold_vertices(soup, opposite);
+
+  std::vector<char> used(soup.number_of_vertices(), false);
+  for (int h = 0; h < soup.number_of_half_edges(); ++h)
+    used[soup.source(h)] = true;
+  const std::vector<int> loops = border_loops(soup, opposite);
+
+  Mesh_topology t;
+  t.vertices = std::count(used.begin(), used.end(), true);
+  t.isolated_vertices = used.size() - t.vertices;
+  t.faces = soup.number_of_faces();
+  t.border_loops = loops.size();
+  t.border_edges = std::accumulate(loops.begin(), loops.end(), std::size_t(0));
+  t.longest_border = loops.empty() ? 0 : *std::max_element(loops.begin(), loops.end());
+  t.edges = (opposite.size() + t.border_edges) / 2;
+  t.components = number_of_components(soup);
+  t.euler_characteristic = static_cast<long>(t.vertices + t.faces) - static_cast<long>(t.edges);
+  // V - E + F = 2 components - 2 genus - loops
+  t.genus = (2 * static_cast<long>(t.components) - static_cast<long>(t.border_loops)
+             - t.euler_characteristic) / 2;
+  return t;
+}
+
+} // namespace internal
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The topology of a mesh with faces of any size, in linear time.
+/// \tparam FaceListGraph  a model of `FaceListGraph` and `VertexListGraph`: `Surface_mesh`, `Polyhedron_3`
+/// \throw Topology_error  when the mesh is no surface or no simplicial complex: `empty_mesh`,
+///   `degenerate_face`, `unsupported_face` (a polygon that visits a vertex twice), `doubled_edge`,
+///   `non_manifold_vertex`. The message names the element; indices are positions in iteration order.
+template <class FaceListGraph>
+Mesh_topology topology(const FaceListGraph& mesh)
+{
+  std::vector<int> opposite;
+  return internal::topology_of_soup(internal::Polygon_soup(mesh), opposite);
+}
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The topology of indexed triangles, in linear time.
+/// \param number_of_vertices  the indices are in [0, `number_of_vertices`); vertices of no face are isolated
+/// \throw Topology_error  `empty_mesh`, `degenerate_face` (a vertex twice, or an index out of range),
+///   `non_manifold_edge`, `inconsistent_orientation`, `non_manifold_vertex`; the message names the element
+inline Mesh_topology topology(std::size_t number_of_vertices, const std::vector<Triangle>& triangles)
+{
+  std::vector<int> opposite;
+  return internal::topology_of_soup(internal::Triangle_soup(static_cast<int>(number_of_vertices), triangles),
+                                    opposite);
+}
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// Nothing, for a closed connected surface of genus `genus`.
+/// \throw Topology_error  `several_components`, `not_closed` or `wrong_genus`, saying what the mesh is
+inline void require_closed_genus(const Mesh_topology& topology, int genus)
+{
+  const std::string what = genus == 0 ? "a sphere" : genus == 1 ? "a torus" : "the surface that is needed";
+  const auto fail = [&](Error_code code, const std::string& needed) {
+    throw Topology_error(code, topology.sentence() + ": " + what + " " + needed);
+  };
+  if (!topology.is_connected())
+    fail(Error_code::several_components, "is connected");
+  if (!topology.is_closed())
+    fail(Error_code::not_closed, "has no border");
+  if (topology.genus != genus)
+    fail(Error_code::wrong_genus, "has genus " + std::to_string(genus));
+}
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// Nothing, for a disk: a connected surface with one border loop and no handle.
+/// \throw Topology_error  `several_components`, `no_border`, `several_border_loops` or `wrong_genus`,
+///   saying what the mesh is
+inline void require_disk(const Mesh_topology& topology)
+{
+  const auto fail = [&](Error_code code, const std::string& needed) {
+    throw Topology_error(code, topology.sentence() + ": a disk " + needed);
+  };
+  if (!topology.is_connected())
+    fail(Error_code::several_components, "is connected");
+  if (topology.is_closed())
+    fail(Error_code::no_border, "has a border");
+  if (topology.border_loops != 1)
+    fail(Error_code::several_border_loops, "has one border loop");
+  if (topology.genus != 0)
+    fail(Error_code::wrong_genus, "has genus 0");
+}
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_TOPOLOGY_H
