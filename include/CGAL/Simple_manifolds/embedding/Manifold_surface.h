@@ -1,0 +1,214 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_MANIFOLD_SURFACE_H
+#define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_MANIFOLD_SURFACE_H
+
+#include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
+#include <CGAL/Simple_manifolds/atlas/Chart_point.h>
+#include <CGAL/Simple_manifolds/atlas/Jet.h>
+#include <CGAL/Simple_manifolds/atlas/Partition_of_unity.h>
+#include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
+#include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// A smooth surface over a canonical surface: the blend of one embedding per chart,
+///
+///   E(p) = sum_c w_c(p) E_c(alpha_c(p)) / sum_c w_c(p),
+///
+/// where w_c is the product of two bump functions of the coordinates in the open chart c and zero
+/// outside of it (Grimm 2002, section 4). On the plane, which has one chart, E = E_0 on the closed
+/// square. E has `smoothness()` continuous derivatives.
+///
+/// All members are const, allocate nothing and may be called from several threads.
+///
+/// \tparam Atlas           a model of `ManifoldAtlas`
+/// \tparam ChartEmbedding  a model of `ChartEmbedding`
+/// \tparam Bump            a model of `BumpFunction`
+template <class Atlas_, class ChartEmbedding = Patch_stack_embedding, class Bump_ = Smoothstep_bump<2>>
+class Manifold_surface {
+public:
+  using Atlas = Atlas_;
+  using Domain_point = typename Atlas::Domain_point;
+  using Chart_embedding = ChartEmbedding;
+  using Bump = Bump_;
+
+  /// \param charts  one embedding per chart
+  /// \pre `charts.size() == Atlas::number_of_charts`
+  explicit Manifold_surface(std::vector<Chart_embedding> charts, Bump bump = Bump(), Atlas atlas = Atlas())
+    : charts_(std::move(charts)), partition_(bump, atlas)
+  {
+    CGAL_precondition(charts_.size() == std::size_t(Atlas::number_of_charts));
+  }
+
+  const Atlas& atlas() const { return partition_.atlas(); }
+  const Bump& bump() const { return partition_.bump(); }
+  /// E_c.
+  const Chart_embedding& chart_embedding(int c) const { return charts_[c]; }
+
+  /// The number of continuous derivatives of E: the least of the bump and of the embeddings.
+  int smoothness() const
+  {
+    int k = charts_.front().smoothness();
+    for(const Chart_embedding& e : charts_)
+      k = (std::min)(k, e.smoothness());
+    return Atlas::number_of_charts == 1 ? k : (std::min)(k, Bump::smoothness);
+  }
+
+  /// \name Evaluation at one point
+  /// Derivatives are those by the coordinates (u,v) of one chart: of the given chart point, else of
+  /// the best chart of the domain point. Normal and curvatures do not depend on the chart; their signs
+  /// are those of `Jet_geometry.h`.
+  /// @{
+
+  /// The position E(p).
+  Eigen::Vector3d point(const Domain_point& p) const
+  {
+    if constexpr (has_single_chart) {
+      return charts_[0].point(atlas().coordinates(0, p));
+    } else {
+      double weight = 0;
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for(const Chart_point& q : atlas().charts_at(p)) {
+        const double w = partition_.proto(q.uv);
+        weight += w;
+        sum += w * charts_[q.chart].point(q.uv);
+      }
+      return sum / weight;
+    }
+  }
+
+  /// The position at a chart point.
+  Eigen::Vector3d point(const Chart_point& a) const { return point(atlas().point(a)); }
+
+  /// Position and derivatives by the coordinates of the best chart of p.
+  /// \tparam Order  the highest order of derivatives that is computed, 1 or 2; others are zero
+  template <int Order = 2>
+  Jet jet(const Domain_point& p) const
+  {
+    const Chart_point a = best_chart_point(p);
+    return blended_jet<Order>(a, atlas().chart(a.chart).jet_at(p));
+  }
+
+  /// Position and derivatives by the coordinates of the chart `a.chart`.
+  template <int Order = 2>
+  Jet jet(const Chart_point& a) const
+  {
+    return blended_jet<Order>(a, atlas().chart(a.chart).point_jet(a.uv));
+  }
+
+  /// The unit normal; outward for an outward oriented mesh. `Point`: a domain point or a chart point.
+  template <class Point>
+  Eigen::Vector3d normal(const Point& p) const { return Simple_manifolds::normal(jet<1>(p)); }
+
+  /// The principal curvatures k1 >= k2.
+  template <class Point>
+  std::pair<double, double> principal_curvatures(const Point& p) const
+  {
+    return Simple_manifolds::principal_curvatures(jet(p));
+  }
+
+  /// The mean curvature H = (k1 + k2) / 2.
+  template <class Point>
+  double mean_curvature(const Point& p) const { return Simple_manifolds::mean_curvature(jet(p)); }
+
+  /// The Gaussian curvature K = k1 k2.
+  template <class Point>
+  double gaussian_curvature(const Point& p) const { return Simple_manifolds::gaussian_curvature(jet(p)); }
+
+  /// The best chart of p, with the coordinates there.
+  Chart_point best_chart_point(const Domain_point& p) const
+  {
+    const int c = atlas().best_chart(p);
+    return {c, atlas().coordinates(c, p)};
+  }
+  /// @}
+
+  /// \name Evaluation of ranges
+  /// `Range` is a range of domain points or of chart points; one result per point is written to `out`.
+  /// @{
+
+  template <class Range, class OutputIterator>
+  OutputIterator points(const Range& range, OutputIterator out) const
+  {
+    for(const auto& p : range)
+      *out++ = point(p);
+    return out;
+  }
+
+  template <int Order = 2, class Range, class OutputIterator>
+  OutputIterator jets(const Range& range, OutputIterator out) const
+  {
+    for(const auto& p : range)
+      *out++ = jet<Order>(p);
+    return out;
+  }
+
+  template <class Range, class OutputIterator>
+  OutputIterator normals(const Range& range, OutputIterator out) const
+  {
+    for(const auto& p : range)
+      *out++ = normal(p);
+    return out;
+  }
+  /// @}
+
+private:
+  static constexpr bool has_single_chart = Atlas::number_of_charts == 1;
+
+  // The quotient of the sums of w E_c and of w. The product is taken in the chart c, then both are
+  // transported to the chart of a: one change of chart per chart, the same as for E_c alone.
+  template <int Order>
+  Jet blended_jet(const Chart_point& a, const Basic_jet<Domain_point>& p) const
+  {
+    if constexpr (has_single_chart) {
+      return charts_[0].template jet<Order>(a.uv);
+    } else {
+      Scalar_jet weight = partition_.proto_jet(a.uv);
+      Jet sum = product(weight, charts_[a.chart].template jet<Order>(a.uv));
+      for(int c = 0; c < Atlas::number_of_charts; ++c) {
+        if(c == a.chart || !atlas().contains(c, p.value)) // before any trigonometry
+          continue;
+        const Transition_jet psi = atlas().chart(c).coordinates_jet(p);
+        add(partition_.proto_jet(psi.value), charts_[c].template jet<Order>(psi.value), psi, weight, sum);
+      }
+      Jet e = quotient(sum, weight);
+      if constexpr (Order < 2)
+        e.uu = e.uv = e.vv = Eigen::Vector3d::Zero();
+      return e;
+    }
+  }
+
+  // adds w and w E_c, seen through psi
+  [[gnu::flatten]] static void add(const Scalar_jet& w, const Jet& e, const Transition_jet& psi,
+                                   Scalar_jet& weight, Jet& sum)
+  {
+    weight += compose(w, psi);
+    sum += compose(product(w, e), psi);
+  }
+
+  std::vector<Chart_embedding> charts_;
+  Partition_of_unity<Atlas, Bump> partition_;
+};
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_EMBEDDING_MANIFOLD_SURFACE_H

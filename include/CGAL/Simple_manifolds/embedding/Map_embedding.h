@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_MAP_EMBEDDING_H
+#define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_MAP_EMBEDDING_H
+
+#include <CGAL/Simple_manifolds/atlas/Chart_point.h>
+#include <CGAL/Simple_manifolds/atlas/Jet.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <type_traits>
+#include <vector>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// The mesh itself as the embedding of a chart, E_c = M o alpha_c^-1: a `Manifold_surface` of these is
+/// the input mesh, and everything that works on surfaces works on it. It is continuous only; the jet at a
+/// point is that of the face that contains it.
+///
+/// \tparam Map  a model of `ManifoldMap` with the members `atlas()`, `face(f)`, `domain_point(v)`,
+///              `point(v)`, `to_mesh(p)` and `position(location)`, such as `Manifold_map`
+///
+/// \cgalModels{ChartEmbedding}
+template <class Map>
+class Map_embedding {
+public:
+  /// The map must outlive the embedding.
+  Map_embedding(const Map& map, int chart) : map_(&map), chart_(chart) {}
+
+  /// Always 0.
+  int smoothness() const { return 0; }
+
+  /// The position M(alpha_c^-1(uv)).
+  Eigen::Vector3d point(const Eigen::Vector2d& uv) const
+  {
+    return map_->position(map_->to_mesh(map_->atlas().point(Chart_point{chart_, uv})));
+  }
+
+  /// Position and derivatives inside of the face that contains the point.
+  template <int Order = 2>
+  Jet jet(const Eigen::Vector2d& uv) const
+  {
+    // Barycentric coordinates are g / sum(g), where g = Q^-1 p and the columns of Q are the corners. On
+    // the flat domains points get the third coordinate 1, and the sum is 1.
+    const Basic_jet<Domain_point> p = map_->atlas().chart(chart_).point_jet(uv);
+    const auto location = map_->to_mesh(p.value);
+    const auto& face = map_->face(location.face);
+    Eigen::Matrix3d q, x;
+    for(int k = 0; k < 3; ++k) {
+      q.col(k) = homogeneous(near(p.value, map_->domain_point(face[k])), 1);
+      x.col(k) = map_->point(face[k]);
+    }
+    const Eigen::Matrix3d inverse = q.inverse(), numerator = x * inverse;
+    const Eigen::Vector3d h = homogeneous(p.value, 1), hu = homogeneous(p.u, 0), hv = homogeneous(p.v, 0),
+                          huu = homogeneous(p.uu, 0), huv = homogeneous(p.uv, 0), hvv = homogeneous(p.vv, 0);
+    const auto sum = [&](const Eigen::Vector3d& y) { return (inverse * y).sum(); };
+    Jet e = quotient(Jet{numerator * h, numerator * hu, numerator * hv,
+                         numerator * huu, numerator * huv, numerator * hvv},
+                     Scalar_jet{sum(h), sum(hu), sum(hv), sum(huu), sum(huv), sum(hvv)});
+    if constexpr (Order < 2)
+      e.uu = e.uv = e.vv = Eigen::Vector3d::Zero();
+    return e;
+  }
+
+private:
+  using Atlas = typename Map::Atlas;
+  using Domain_point = typename Atlas::Domain_point;
+
+  // the copy of q nearest to p, where the domain is periodic
+  static Domain_point near(const Domain_point& p, const Domain_point& q)
+  {
+    if constexpr (Atlas::genus == 1)
+      return Atlas::lift(p, q);
+    else
+      return q;
+  }
+
+  static Eigen::Vector3d homogeneous(const Domain_point& p, double last)
+  {
+    if constexpr (std::is_same_v<Domain_point, Eigen::Vector3d>)
+      return p;
+    else
+      return {p.x(), p.y(), last};
+  }
+
+  const Map* map_;
+  int chart_;
+};
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// One `Map_embedding` for each chart, as `Manifold_surface` takes them.
+template <class Map>
+std::vector<Map_embedding<Map>> map_embeddings(const Map& map)
+{
+  std::vector<Map_embedding<Map>> charts;
+  for(int c = 0; c < Map::Atlas::number_of_charts; ++c)
+    charts.emplace_back(map, c);
+  return charts;
+}
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_EMBEDDING_MAP_EMBEDDING_H

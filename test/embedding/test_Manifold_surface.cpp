@@ -1,0 +1,192 @@
+#include "catch.h"
+#include "embedding/Analytic_map.h"
+
+#include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+namespace SM = CGAL::Simple_manifolds;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+// Coefficients taken from a function: near it, and different in each chart, so that the blend matters.
+template <class Atlas, class Bump = SM::Smoothstep_bump<2>, class Function>
+SM::Manifold_surface<Atlas, SM::Patch_stack_embedding, Bump> rough_surface(const Function& f, int degree = 3)
+{
+  const int cells = 8, n = cells + degree;
+  std::vector<SM::Patch_stack_embedding> charts;
+  for(int c = 0; c < Atlas::number_of_charts; ++c) {
+    std::vector<Vector3d> x;
+    for(int i = 0; i < n; ++i)
+      for(int j = 0; j < n; ++j) {
+        const Vector2d uv((i - (degree - 1) / 2.) / cells, (j - (degree - 1) / 2.) / cells);
+        const Vector2d inside = uv.cwiseMax(1e-9).cwiseMin(1 - 1e-9);
+        x.push_back(f(Atlas().point({c, inside})) + .01 * Vector3d(std::sin(i + c), std::cos(2 * j - c), 0));
+      }
+    charts.push_back(SM::Patch_stack_embedding({SM::Spline_patch({0, 0, 1, 1}, degree, n, n, x)}));
+  }
+  return SM::Manifold_surface<Atlas, SM::Patch_stack_embedding, Bump>(charts);
+}
+
+template <class Surface>
+void check_jets(const Surface& surface)
+{
+  using Atlas = typename Surface::Atlas;
+  const double h = 1e-5;
+  for(const auto& p : random_domain_points<Atlas>(60))
+    for(const SM::Chart_point& a : Atlas().charts_at(p)) {
+      if(a.uv.minCoeff() < .01 || a.uv.maxCoeff() > .99)
+        continue;
+      const auto shifted = [&](double u, double v) {
+        return SM::Chart_point{a.chart, a.uv + Vector2d(u, v)};
+      };
+      const SM::Jet e = surface.jet(a);
+      const SM::Jet right = surface.jet(shifted(h, 0)), left = surface.jet(shifted(-h, 0));
+      const SM::Jet up = surface.jet(shifted(0, h)), down = surface.jet(shifted(0, -h));
+      CHECK((e.value - surface.point(p)).norm() < 1e-13);
+      CHECK((e.value - surface.point(a)).norm() < 1e-13);
+      CHECK((e.u - (surface.point(shifted(h, 0)) - surface.point(shifted(-h, 0))) / (2 * h)).norm() < 1e-5);
+      CHECK((e.v - (surface.point(shifted(0, h)) - surface.point(shifted(0, -h))) / (2 * h)).norm() < 1e-5);
+      // at most 1e5 is the third derivative's jump at knots and bump breaks
+      CHECK((e.uu - (right.u - left.u) / (2 * h)).norm() < 1e-2 * (1 + e.uu.norm()));
+      CHECK((e.uv - (right.v - left.v) / (2 * h)).norm() < 1e-2 * (1 + e.uv.norm()));
+      CHECK((e.uv - (up.u - down.u) / (2 * h)).norm() < 1e-2 * (1 + e.uv.norm()));
+      CHECK((e.vv - (up.v - down.v) / (2 * h)).norm() < 1e-2 * (1 + e.vv.norm()));
+      const SM::Jet first = surface.template jet<1>(a);
+      CHECK((first.value - e.value).norm() + (first.u - e.u).norm() + (first.v - e.v).norm() < 1e-12);
+      CHECK(first.uu.norm() + first.uv.norm() + first.vv.norm() == 0);
+    }
+}
+
+template <class Surface>
+void check_chart_independence(const Surface& surface)
+{
+  using Atlas = typename Surface::Atlas;
+  for(const auto& p : random_domain_points<Atlas>(300)) {
+    const Vector3d n = surface.normal(p);
+    const auto [k1, k2] = surface.principal_curvatures(p);
+    const double H = surface.mean_curvature(p), K = surface.gaussian_curvature(p);
+    const double scale = 1 + k1 * k1 + k2 * k2;
+    CHECK(std::abs(H - (k1 + k2) / 2) < 1e-12 * scale);
+    CHECK(std::abs(K - k1 * k2) < 1e-12 * scale);
+    for(const SM::Chart_point& a : Atlas().charts_at(p)) {
+      CHECK((surface.normal(a) - n).norm() < 1e-12);
+      CHECK(std::abs(surface.mean_curvature(a) - H) < 1e-12 * scale);
+      CHECK(std::abs(surface.gaussian_curvature(a) - K) < 1e-12 * scale);
+      CHECK(std::abs(surface.principal_curvatures(a).first - k1) < 1e-12 * scale);
+      CHECK(std::abs(surface.principal_curvatures(a).second - k2) < 1e-12 * scale);
+    }
+  }
+}
+
+double distance(const SM::Jet& a, const SM::Jet& b)
+{
+  return (a.value - b.value).norm() + (a.u - b.u).norm() + (a.v - b.v).norm()
+       + (a.uu - b.uu).norm() + (a.uv - b.uv).norm() + (a.vv - b.vv).norm();
+}
+
+} // namespace
+
+TEST_CASE("Jets of surfaces agree with differences in all charts")
+{
+  check_jets(rough_surface<SM::Sphere_atlas>(bumpy_sphere));
+  check_jets(rough_surface<SM::Torus_atlas>(bumpy_torus));
+  check_jets(rough_surface<SM::Plane_atlas>(wavy_sheet));
+  check_jets(rough_surface<SM::Sphere_atlas, SM::Bspline_bump<2>>(bumpy_sphere, 4));
+}
+
+TEST_CASE("Normal and curvatures do not depend on the chart")
+{
+  check_chart_independence(rough_surface<SM::Sphere_atlas>(bumpy_sphere));
+  check_chart_independence(rough_surface<SM::Torus_atlas>(bumpy_torus));
+  check_chart_independence(rough_surface<SM::Plane_atlas>(wavy_sheet));
+}
+
+TEST_CASE("Two derivatives of the surface are continuous across the borders of charts")
+{
+  const auto sphere = rough_surface<SM::Sphere_atlas>(bumpy_sphere);
+  const double h = 1e-8, s = std::sin(.375 * 3.14159265358979324);
+  // on the border y = 0 of charts 0 and 1, |z| = s of both: seen from chart 2, resp. 4
+  for(double t : {.3, .8, 1.3, 1.8}) {
+    const Vector2d a = SM::Sphere_atlas().coordinates(2, Vector3d(std::sin(t), 0, .3).normalized());
+    for(const Vector2d& step : {Vector2d(h, 0), Vector2d(0, h)})
+      CHECK(distance(sphere.jet(SM::Chart_point{2, a + step}),
+                     sphere.jet(SM::Chart_point{2, a - step})) < 1e-3);
+    const double r = std::sqrt(1 - s * s);
+    const auto at = [&](double z) {
+      const Vector3d p = Vector3d(r * std::cos(2 * t), r * std::sin(2 * t), z).normalized();
+      return sphere.jet(SM::Chart_point{4, SM::Sphere_atlas().coordinates(4, p)});
+    };
+    CHECK(distance(at(s - h), at(s + h)) < 1e-3);
+  }
+  const auto torus = rough_surface<SM::Torus_atlas>(bumpy_torus);
+  for(double line : {1. / 3, 2. / 3})
+    for(double v : {.1, .45, .9})
+      for(const SM::Chart_point& a : SM::Torus_atlas().charts_at({line - h, v}))
+        if(a.uv.x() > .1 && a.uv.x() < .9)
+          CHECK(distance(torus.jet(a),
+                         torus.jet(SM::Chart_point{a.chart, a.uv + Vector2d(3 * h, 0)})) < 1e-3);
+}
+
+TEST_CASE("Equal constants in all charts blend to the constant")
+{
+  const Vector3d x(1, -2, 3);
+  const std::vector<Vector3d> constant(49, x);
+  const SM::Patch_stack_embedding chart({SM::Spline_patch({0, 0, 1, 1}, 3, 7, 7, constant)});
+  const SM::Manifold_surface<SM::Sphere_atlas> surface(std::vector<SM::Patch_stack_embedding>(6, chart));
+  for(const Vector3d& p : random_domain_points<SM::Sphere_atlas>(200)) {
+    const SM::Jet e = surface.jet(p);
+    CHECK((e.value - x).norm() < 1e-14);
+    CHECK(e.u.norm() + e.v.norm() + e.uu.norm() + e.uv.norm() + e.vv.norm() < 1e-9);
+  }
+}
+
+TEST_CASE("At the centre of a chart the surface is that of the chart")
+{
+  const auto surface = rough_surface<SM::Sphere_atlas>(bumpy_sphere);
+  for(int c = 0; c < 6; ++c) {
+    const SM::Chart_point centre{c, Vector2d(.5, .5)};
+    CHECK(distance(surface.jet(centre), surface.chart_embedding(c).jet({.5, .5})) < 1e-12);
+  }
+}
+
+TEST_CASE("The surface of the plane is that of its chart on the closed square")
+{
+  const auto surface = rough_surface<SM::Plane_atlas>(wavy_sheet);
+  for(double u : {0., .3, 1.})
+    for(double v : {0., .6, 1.}) {
+      CHECK((surface.point(Vector2d(u, v)) - surface.chart_embedding(0).point({u, v})).norm() == 0);
+      CHECK(distance(surface.jet(Vector2d(u, v)), surface.chart_embedding(0).jet({u, v})) == 0);
+    }
+}
+
+TEST_CASE("The smoothness is the least of bump and splines; the plane has no bump")
+{
+  CHECK(rough_surface<SM::Sphere_atlas>(bumpy_sphere).smoothness() == 2);
+  CHECK(rough_surface<SM::Sphere_atlas>(bumpy_sphere, 2).smoothness() == 1);
+  CHECK(rough_surface<SM::Sphere_atlas>(bumpy_sphere, 5).smoothness() == 2);
+  CHECK((rough_surface<SM::Torus_atlas, SM::Smoothstep_bump<4>>(bumpy_torus, 5).smoothness()) == 4);
+  CHECK(rough_surface<SM::Plane_atlas>(wavy_sheet, 5).smoothness() == 4);
+}
+
+TEST_CASE("Ranges give the results of single points in order")
+{
+  const auto surface = rough_surface<SM::Torus_atlas>(bumpy_torus);
+  const auto p = random_domain_points<SM::Torus_atlas>(10);
+  std::vector<Vector3d> points, normals;
+  std::vector<SM::Jet> jets;
+  surface.points(p, std::back_inserter(points));
+  surface.normals(p, std::back_inserter(normals));
+  surface.jets(p, std::back_inserter(jets));
+  REQUIRE((points.size() == 10 && normals.size() == 10 && jets.size() == 10));
+  for(std::size_t k = 0; k < p.size(); ++k) {
+    CHECK(points[k] == surface.point(p[k]));
+    CHECK(normals[k] == surface.normal(p[k]));
+    CHECK(distance(jets[k], surface.jet(p[k])) == 0);
+  }
+}
