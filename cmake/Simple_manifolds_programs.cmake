@@ -30,11 +30,17 @@ foreach(part CGAL::Simple_manifolds_IO CGAL::Simple_manifolds_CHOLMOD CGAL::TBB_
     target_link_libraries(simple_manifolds_settings INTERFACE ${part})
   endif()
 endforeach()
+# CGAL_DATA_DIR, which CGAL::data_file_path() reads, has to be known to the precompiled header too.
 target_compile_definitions(simple_manifolds_settings INTERFACE
-  SIMPLE_MANIFOLDS_CGAL_DATA="${SIMPLE_MANIFOLDS_CGAL_DATA}")
+  CGAL_DATA_DIR="${SIMPLE_MANIFOLDS_CGAL_DATA}"
+  SIMPLE_MANIFOLDS_CGAL_DATA="${SIMPLE_MANIFOLDS_CGAL_DATA}"
+  SIMPLE_MANIFOLDS_VERSION="${PROJECT_VERSION}")
 if(NOT MSVC)
   # Fused multiply-add would make results depend on the processor.
   target_compile_options(simple_manifolds_settings INTERFACE -Wall -Wextra -ffp-contract=off)
+  # At -O3 GCC suspects storage of Eigen and of Boost.Multiprecision, inlined into ours, without reason.
+  target_compile_options(simple_manifolds_settings INTERFACE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   if(SIMPLE_MANIFOLDS_WARNINGS_AS_ERRORS)
     target_compile_options(simple_manifolds_settings INTERFACE -Werror)
   endif()

@@ -1,16 +1,25 @@
-// A user's program: a point of the sphere in a chart and back.
+// A user's program: maps a mesh to the sphere, fits a surface and looks at its curvature.
 
-#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
+#include <CGAL/simple_manifolds.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <cstdlib>
 #include <iostream>
 
+namespace SM = CGAL::Simple_manifolds;
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
 int main()
 {
-  const CGAL::Simple_manifolds::Sphere_atlas atlas;
-  const Eigen::Vector3d p = Eigen::Vector3d(1, 2, 3).normalized();
-  const int chart = atlas.best_chart(p);
-  const double error = (atlas.point({chart, atlas.coordinates(chart, p)}) - p).norm();
-  std::cout << "chart " << chart << ", error " << error << '\n';
-  return error < 1e-14 ? EXIT_SUCCESS : EXIT_FAILURE;
+  Mesh mesh;
+  CGAL::make_icosahedron(mesh);
+  const auto map = SM::map_to_sphere(mesh);
+  const auto surface = SM::fit_surface(map, SM::parameters::rms_error(0.1));
+  const double curvature = surface.mean_curvature(map.domain_point(0));
+  std::cout << map.certificate().sentence() << "; mean curvature " << curvature << '\n';
+  return curvature > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
