@@ -98,7 +98,8 @@ int fit_and_write(const Command_line& options, const Fit_request& request, const
       SM::write_samples(folder.file("samples.csv"), surface,
                         SM::random_domain_points<typename Map::Atlas>(request.samples));
   });
-  write_metrics(folder.file("metrics.json"), "fit_mesh", std::move(metrics), watch);
+  SM::Atomic_file metrics_file(folder.file("metrics.json"));
+  write_metrics(metrics_file, "fit_mesh", std::move(metrics), watch);
   folder.commit();
 
   const std::string errors = "rms error " + shown(report.rms_error) + " (tolerance " + shown(request.rms)
@@ -136,7 +137,8 @@ int main(int argc, char** argv)
     SM::Atomic_folder folder(options.get<std::string>("output"));
     Progress progress(options.get<bool>("quiet"));
     const auto any_map = watch.time("map", [&] {
-      return SM::map_to_canonical_surface(input.mesh, SM::parameters::default_values().visitor(std::ref(progress)));
+      return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
+        input.mesh, CGAL::parameters::visitor(std::ref(progress)));
     });
     return std::visit([&](const auto& map) {
       return with_bump(request.smoothness, [&](const auto& bump) {

@@ -6,6 +6,7 @@
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
 
 #include <functional>
+#include <optional>
 #include <variant>
 
 using namespace tools;
@@ -39,7 +40,7 @@ int main(int argc, char** argv)
     const Input input = watch.time("read", [&] { return read_input(options); });
     Progress progress(is_quiet);
     const auto any_map = watch.time("map", [&] {
-      return SM::map_to_canonical_surface(
+      return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
         input.mesh, SM::parameters::energy(is_amips ? SM::Energy::AMIPS : SM::Energy::SYMMETRIC_DIRICHLET)
                       .energy_lambda(lambda).visitor(std::ref(progress)));
     });
@@ -50,10 +51,10 @@ int main(int argc, char** argv)
       metrics["map"] = metrics_of_map(map, watch);
       metrics["parameters"] = {{"method", "certified"}, {"energy", options.get<std::string>("energy")},
                                {"lambda", lambda}};
-      std::optional<SM::Atomic_file> probe; // no map without its metrics
-      if (options.has("metrics")) probe.emplace(options.get<std::string>("metrics"));
+      std::optional<SM::Atomic_file> metrics_file; // opened first: no map without its metrics
+      if (options.has("metrics")) metrics_file.emplace(options.get<std::string>("metrics"));
       watch.time("write", [&] { SM::write_map(file, map); });
-      if (probe) write_metrics(options.get<std::string>("metrics"), "map_mesh", metrics, watch);
+      if (metrics_file) write_metrics(*metrics_file, "map_mesh", metrics, watch);
       if (!is_quiet)
         std::cout << summary(input, map) << "; angle " << shown(metrics["map"]["angle"].get<double>()) << ", area "
                   << shown(metrics["map"]["area"].get<double>()) << "; " << shown(watch.total()) << " s\n";

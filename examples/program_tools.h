@@ -33,7 +33,6 @@
 #include <iostream>
 #include <memory>
 #include <new>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -223,9 +222,9 @@ public:
       Clock::time_point start = Clock::now();
       ~Lap()
       {
-        double& seconds = watch.seconds_[phase].is_null() ? (watch.seconds_[phase] = 0.).get_ref<double&>()
-                                                          : watch.seconds_[phase].get_ref<double&>();
-        seconds += std::chrono::duration<double>(Clock::now() - start).count();
+        Json& seconds = watch.seconds_[phase];
+        seconds = (seconds.is_null() ? 0. : seconds.get<double>())
+                + std::chrono::duration<double>(Clock::now() - start).count();
       }
     } lap{*this, phase};
     return f();
@@ -311,14 +310,13 @@ inline long long peak_memory_in_bytes()
 #endif
 }
 
-/// The metrics that both programs have; call it last, since it reads the clock.
-inline void write_metrics(const std::string& file, const char* program, Json metrics, const Stopwatch& watch)
+/// Adds the metrics that both programs have, and completes the file; call it last, since it reads the clock.
+inline void write_metrics(SM::Atomic_file& output, const char* program, Json metrics, const Stopwatch& watch)
 {
   metrics["seconds"] = watch.seconds();
   metrics["peak_memory_bytes"] = peak_memory_in_bytes();
   metrics["program"] = program;
   metrics["version"] = {{"simple_manifolds", SIMPLE_MANIFOLDS_VERSION}, {"cgal", CGAL_VERSION_STR}};
-  SM::Atomic_file output(file);
   output.stream() << metrics.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   output.commit();
 }

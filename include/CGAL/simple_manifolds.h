@@ -28,6 +28,10 @@
 #include <CGAL/Simple_manifolds/correspondence/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_plane.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_torus.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
 #include <CGAL/Simple_manifolds/embedding/Bspline_basis.h>

@@ -1,0 +1,206 @@
+# cmake -DPART=good_input|bad_input|usage -DMAP_MESH=<program> -DFIT_MESH=<program> -DMESHES=<folder>
+#       -DWORK=<empty folder> -P check_programs.cmake
+#
+# The contract of map_mesh and fit_mesh: exit status, one line on stderr with the numbers, and either all
+# files or none.
+
+cmake_minimum_required(VERSION 3.22)
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+
+# run(<status> <regular expression for stderr> <program> <argument>...)
+# An empty expression wants an empty stderr, any other exactly one line that matches.
+function(run status expected)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE err)
+  string(REPLACE ";" " " shown "${ARGN}")
+  if(NOT result STREQUAL status)
+    message(SEND_ERROR "status ${result} instead of ${status}: ${shown}\n${err}")
+  endif()
+  if(expected STREQUAL "")
+    if(NOT err STREQUAL "")
+      message(SEND_ERROR "unexpected on stderr: ${shown}\n${err}")
+    endif()
+  elseif(NOT err MATCHES "^[a-z_]+: [^\n]*\n$" OR NOT err MATCHES "${expected}")
+    message(SEND_ERROR "stderr is not one line with \"${expected}\": ${shown}\n${err}")
+  endif()
+  if(status GREATER 1 AND NOT out STREQUAL "")
+    message(SEND_ERROR "unexpected on stdout: ${shown}\n${out}")
+  endif()
+endfunction()
+
+# holds(<folder> <name>...): the folder, below WORK, holds these files and no others.
+function(holds folder)
+  file(GLOB_RECURSE found RELATIVE ${WORK}/${folder} LIST_DIRECTORIES true ${WORK}/${folder}/* ${WORK}/${folder}/.*)
+  list(SORT found)
+  set(expected ${ARGN})
+  list(SORT expected)
+  if(NOT "${found}" STREQUAL "${expected}") # an empty list is an unset variable
+    message(SEND_ERROR "${folder} holds \"${found}\" instead of \"${expected}\"")
+  endif()
+endfunction()
+
+# ---- Input that must work ---------------------------------------------------------------------------
+if(PART STREQUAL good_input)
+  set(fitted map.ply surface.json surface.ply metrics.json)
+  foreach(mesh sphere torus_quad nefertiti)
+    run(0 "" ${MAP_MESH} ${MESHES}/${mesh}.off -o ${WORK}/${mesh}.ply --metrics ${WORK}/${mesh}.json)
+    run(0 "" ${FIT_MESH} ${MESHES}/${mesh}.off -o ${WORK}/new/${mesh} --tolerance 0.05 --samples 10 --quiet)
+    holds(new/${mesh} ${fitted} samples.csv)
+  endforeach()
+
+  file(READ ${WORK}/new/sphere/metrics.json metrics)
+  foreach(path "input vertices" "input faces" "input genus" "seconds read" "seconds map" "seconds certify"
+      "seconds fit" "seconds tessellate" "seconds write" "peak_memory_bytes" "map flipped" "map degree"
+      "map angle" "map area" "map symmetric_dirichlet" "map l2_efficiency" "map min_area" "map chart_counts 5"
+      "map stars_without_chart" "surface controls" "surface patches_per_chart 5" "surface rms_error"
+      "surface max_error" "surface closest_point_rms" "surface closest_point_max" "parameters tolerance"
+      "version simple_manifolds" "version cgal")
+    separate_arguments(keys UNIX_COMMAND "${path}")
+    string(JSON value ERROR_VARIABLE error GET "${metrics}" ${keys})
+    if(error OR value STREQUAL "")
+      message(SEND_ERROR "metrics.json has no ${path}")
+    endif()
+  endforeach()
+  string(JSON value GET "${metrics}" input vertices)
+  if(NOT value EQUAL 162)
+    message(SEND_ERROR "metrics.json: ${value} vertices instead of 162")
+  endif()
+  file(STRINGS ${WORK}/new/sphere/samples.csv samples)
+  list(LENGTH samples count)
+  if(NOT count EQUAL 11)
+    message(SEND_ERROR "samples.csv has ${count} lines instead of 11")
+  endif()
+
+  # The smallest disk: its border gets the fourth corner that the square has.
+  file(WRITE ${WORK}/triangle.off "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+  run(0 "" ${FIT_MESH} ${WORK}/triangle.off -o ${WORK}/new/triangle --quiet)
+  holds(new/triangle ${fitted})
+
+  # An inward oriented mesh is mapped as it is, and the metrics say so.
+  file(WRITE ${WORK}/inward.off
+    "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n")
+  run(0 "" ${MAP_MESH} ${WORK}/inward.off -o ${WORK}/inward.ply --metrics ${WORK}/inward.json)
+  file(READ ${WORK}/inward.json metrics)
+  string(JSON value GET "${metrics}" input inward_oriented)
+  if(NOT value)
+    message(SEND_ERROR "metrics.json: the inward oriented mesh is not named so")
+  endif()
+
+  # A map is a mesh too. The number of threads changes nothing. Foreign files stay, our own are replaced.
+  run(0 "" ${MAP_MESH} ${WORK}/sphere.ply -o ${WORK}/again.ply --threads 1 --quiet)
+  run(0 "" ${CMAKE_COMMAND} -E compare_files ${WORK}/sphere.ply ${WORK}/again.ply)
+  file(WRITE ${WORK}/new/sphere/mine.txt "mine")
+  run(0 "" ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/new/sphere/ --tolerance 0.05 --threads 2 --quiet)
+  holds(new/sphere ${fitted} samples.csv mine.txt)
+  run(0 "" ${CMAKE_COMMAND} -E compare_files ${WORK}/sphere.ply ${WORK}/new/sphere/map.ply)
+
+  # Not reached: status 1, the numbers, and all files.
+  run(1 "tolerance was not reached: rms error [0-9.e-]+ .*max [0-9.e-]+ .*written"
+    ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/tight --tolerance 1e-12 --quiet)
+  holds(tight ${fitted})
+endif()
+
+# ---- Input that must be refused ---------------------------------------------------------------------
+if(PART STREQUAL bad_input)
+  set(in ${WORK}/in)
+  file(WRITE ${in}/empty.off "")
+  file(WRITE ${in}/text.off "Dear reader,\nthis is a letter.\n")
+  file(WRITE ${in}/text.ply "Dear reader,\nthis is a letter.\n")
+  file(WRITE ${in}/text.stl "Dear reader,\nthis is a letter.\n")
+  file(WRITE ${in}/text.obj "Dear reader,\nthis is a letter.\n")
+  file(WRITE ${in}/mesh.xyz "0 0 0\n1 0 0\n0 1 0\n")
+  file(MAKE_DIRECTORY ${in}/folder.off)
+  set(four "0 0 0\n1 0 0\n0 1 0\n0 0 1\n")
+  file(WRITE ${in}/truncated.off "OFF\n4 4 0\n${four}3 0 2 1\n3 0 1 3\n")
+  file(WRITE ${in}/huge.off "OFF\n1000000000 4 0\n${four}")
+  file(WRITE ${in}/index.off "OFF\n4 1 0\n${four}3 0 1 4\n")
+  file(WRITE ${in}/nan.off "OFF\n4 4 0\n0 0 0\n1 nan 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")
+  file(WRITE ${in}/point.off "OFF\n4 4 0\n1 1 1\n1 1 1\n1 1 1\n1 1 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")
+  file(WRITE ${in}/cloud.off "OFF\n4 0 0\n${four}")
+  file(WRITE ${in}/edge.off "OFF\n5 3 0\n${four}0 0 -1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n")
+  file(WRITE ${in}/orientation.off "OFF\n4 2 0\n${four}3 0 1 2\n3 0 1 3\n")
+  file(WRITE ${in}/face.off "OFF\n4 1 0\n${four}3 0 1 1\n")
+  file(WRITE ${in}/two.off "OFF\n8 8 0\n${four}5 0 0\n6 0 0\n5 1 0\n5 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
+    "3 4 6 5\n3 4 5 7\n3 5 6 7\n3 6 4 7\n")
+  # A ring of quads: two border loops.
+  file(WRITE ${in}/loops.off "OFF\n8 4 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n2 1 0\n2 2 0\n1 2 0\n"
+    "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n")
+  # Two tori of seven vertices, joined at a triangle: genus 2.
+  set(faces "")
+  foreach(i RANGE 6)
+    foreach(pair "1;3" "3;2")
+      list(GET pair 0 j)
+      list(GET pair 1 k)
+      math(EXPR j "(${i} + ${j}) % 7")
+      math(EXPR k "(${i} + ${k}) % 7")
+      if(NOT "${i} ${j} ${k}" STREQUAL "0 1 3")
+        string(APPEND faces "3 ${i} ${j} ${k}\n")
+        set(mirrored "")
+        foreach(v ${i} ${k} ${j}) # of the second torus: 2 4 5 6 become 7 8 9 10
+          if(v EQUAL 2)
+            set(v 7)
+          elseif(v GREATER 3)
+            math(EXPR v "${v} + 4")
+          endif()
+          string(APPEND mirrored " ${v}")
+        endforeach()
+        string(APPEND faces "3${mirrored}\n")
+      endif()
+    endforeach()
+  endforeach()
+  set(points "")
+  foreach(i RANGE 10)
+    math(EXPR square "${i} * ${i}")
+    math(EXPR cube "${i} * ${square}")
+    string(APPEND points "${i} ${square} ${cube}\n")
+  endforeach()
+  file(WRITE ${in}/genus2.off "OFF\n11 26 0\n${points}${faces}")
+
+  file(MAKE_DIRECTORY ${WORK}/out ${WORK}/existing)
+  foreach(row
+      "3;missing.off;does not exist" "3;empty.off;empty" "3;text.off;Dear" "3;text.ply;PLY" "3;text.stl;STL"
+      "3;text.obj;OBJ" "3;mesh.xyz;extension" "3;folder.off;regular file" "3;truncated.off;line 9.*ends"
+      "3;huge.off;1000000000 vertices" "3;index.off;face 0 refers to vertex 4"
+      "4;nan.off;vertex 1 of 4.*NaN" "4;point.off;4 vertices.*coincide" "4;cloud.off;no faces"
+      "4;edge.off;[(]0,1[)].*3 faces" "4;orientation.off;faces 0 and 1" "4;face.off;face 0"
+      "4;two.off;2 components" "4;loops.off;2 border loops" "4;genus2.off;genus 2")
+    list(GET row 0 status)
+    list(GET row 1 name)
+    list(GET row 2 message)
+    run(${status} "${message}" ${MAP_MESH} ${in}/${name} -o ${WORK}/out/map.ply --metrics ${WORK}/out/map.json)
+    run(${status} "${message}" ${FIT_MESH} ${in}/${name} -o ${WORK}/out/fit --samples 5)
+    run(${status} "${message}" ${FIT_MESH} ${in}/${name} -o ${WORK}/existing)
+  endforeach()
+  holds(out)
+  holds(existing)
+endif()
+
+# ---- Command lines that make no sense, or ask for what is not there yet -----------------------------
+if(PART STREQUAL usage)
+  set(mesh ${MESHES}/sphere.off)
+  file(WRITE ${WORK}/file "")
+  foreach(row
+      "output" "${mesh};output" "-o;${WORK}/o;INPUT" "${mesh};-o;${WORK}/o;--bogus;bogus" "${mesh};${mesh};-o;${WORK}/o;positional"
+      "${mesh};-o;${WORK}/o;--threads;0;threads" "${mesh};-o;${WORK}/o;--method;other;certified, paper"
+      "${mesh};-o;${WORK}/o;--method;paper;does not have --method paper yet")
+    list(POP_BACK row message)
+    run(2 "${message}|INPUT" ${MAP_MESH} ${row})
+    run(2 "${message}|INPUT" ${FIT_MESH} ${row})
+  endforeach()
+  foreach(row "--balance;--balance yet" "--refine;--refine yet" "--energy;none;symmetric_dirichlet, amips"
+      "--lambda;0;positive" "--lambda;x;lambda" "--metrics;${WORK}/none/m.json;m.json")
+    list(POP_BACK row message)
+    run(2 "${message}" ${MAP_MESH} ${mesh} -o ${WORK}/o ${row})
+  endforeach()
+  foreach(row "--tolerance;0;positive" "--tolerance;nan;positive" "--max-tolerance;inf;positive" "--degree;9;2 to 5"
+      "--smoothness;0;1 to " "--samples;-1;from 0" "--tol;1;tol")
+    list(POP_BACK row message)
+    run(2 "${message}" ${FIT_MESH} ${mesh} -o ${WORK}/o ${row})
+  endforeach()
+  run(2 "o.ply" ${MAP_MESH} ${mesh} -o ${WORK}/none/o.ply)
+  run(2 "not a folder" ${FIT_MESH} ${mesh} -o ${WORK}/file)
+  run(0 "" ${MAP_MESH} --help)
+  run(0 "" ${FIT_MESH} --help)
+  run(0 "" ${FIT_MESH} --version)
+  holds(. file)
+endif()
