@@ -129,6 +129,32 @@ TEST_CASE("signs of areas at all magnitudes")
   CHECK(signs[2] > 1000);
 }
 
+TEST_CASE("small triangles across the border of the torus")
+{
+  // q - p is rounded before 1 is added, and the sum is small: the differences have few right digits
+  truth::Random random(3);
+  int signs[3] = {};
+  const Vector2i zero(0, 0), one(1, 1);
+  for (int i = 0; i < 20000; ++i) {
+    const double size = std::ldexp(1., -8 - i % 16);
+    const Vector2d p = Vector2d(1, 1) - size * random.square(), q = size * random.square();
+    Vector2d r = p + random.uniform(0.1, 0.9) * ((q - p).array() + 1).matrix(); // almost on the edge
+    const Vector2i k = r[0] >= 1 ? one : zero;
+    if (r[0] >= 1 && r[1] >= 1) {
+      r -= Vector2d(1, 1);
+    } else if (r[0] >= 1 || r[1] >= 1) {
+      continue;
+    }
+    r += 0x1p-54 * size * random.square();
+    const int sign = exact(p, q, one, r, k);
+    ++signs[sign + 1];
+    REQUIRE(internal::sign_of_area(p, q, one, r, k) == sign);
+    REQUIRE(internal::sign_of_area(p, r, k, q, one) == -sign);
+  }
+  CHECK(signs[0] > 3000);
+  CHECK(signs[2] > 3000);
+}
+
 TEST_CASE("areas whose floating point value is pure rounding error")
 {
   // three points of a line with the slope 1, one of them moved by the last bit of a tiny number
