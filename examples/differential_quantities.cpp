@@ -42,7 +42,8 @@ int main(int argc, char** argv)
     centre.barycentric = Eigen::Vector3d::Constant(1. / 3);
     const Eigen::Vector3d p = map.to_domain(centre);
     std::cout << "at the centre of face 0: normal " << surface.normal(p).transpose() << ", mean curvature "
-              << surface.mean_curvature(p) << ", Gaussian curvature " << surface.gaussian_curvature(p) << '\n';
+              << surface.mean_curvature(p) << ", Gaussian curvature "
+              << surface.gaussian_curvature(p) << '\n';
   } catch (const SM::Error& e) {
     std::cerr << e.what() << std::endl;
     return EXIT_FAILURE;

@@ -62,7 +62,8 @@ Json metrics_of_surface(const SM::Fit_report& report)
           {"closest_point_rms", report.closest_point_rms},
           {"closest_point_max", report.closest_point_max},
           {"seconds", {{"sampling", report.seconds.sampling}, {"solving", report.seconds.solving},
-                       {"measuring", report.seconds.measuring}, {"closest_point", report.seconds.closest_point}}}};
+                       {"measuring", report.seconds.measuring},
+                       {"closest_point", report.seconds.closest_point}}}};
 }
 
 template <class Map, class Bump>
@@ -85,11 +86,13 @@ int fit_and_write(const Command_line& options, const Fit_request& request, const
   // As many vertices as the mesh has, roughly, so that the tessellation shows what was fitted.
   const int subdivisions = SM::Tile_grid<typename Map::Atlas>::subdivisions_for(
     std::clamp(double(map.number_of_vertices()), 6000., 200000.));
-  metrics["parameters"] = {{"method", "certified"}, {"tolerance", request.rms}, {"max_tolerance", request.maximum},
-                           {"degree", request.degree}, {"bump", Bump::type}, {"bump_smoothness", request.smoothness},
+  metrics["parameters"] = {{"method", "certified"}, {"tolerance", request.rms},
+                           {"max_tolerance", request.maximum}, {"degree", request.degree},
+                           {"bump", Bump::type}, {"bump_smoothness", request.smoothness},
                            {"subdivisions", subdivisions}, {"samples", request.samples}};
   watch.time("tessellate", [&] {
-    SM::write_tessellation(folder.file("surface.ply"), surface, map, SM::parameters::subdivisions(subdivisions));
+    SM::write_tessellation(folder.file("surface.ply"), surface, map,
+                            SM::parameters::subdivisions(subdivisions));
   });
   watch.time("write", [&] {
     SM::write_map(folder.file("map.ply"), map);
@@ -119,16 +122,18 @@ int main(int argc, char** argv)
   return run("fit_mesh", [&]() -> int {
     Command_line options(
       "fit_mesh INPUT -o DIR [options]",
-      "Fits a smooth surface to a mesh (OFF, OBJ, PLY, STL; closed of genus 0 or 1, or a disk) and writes into\n"
-      "DIR: map.ply, surface.json, surface.ply, metrics.json and, with --samples, samples.csv.\n"
-      "Exit status: 0 success, 1 tolerance not reached (the files are written), 2 usage, 3 unreadable input,\n"
-      "4 unsupported topology or geometry.");
+      "Fits a smooth surface to a mesh (OFF, OBJ, PLY, STL; closed of genus 0 or 1, or a disk) and writes\n"
+      "into DIR: map.ply, surface.json, surface.ply, metrics.json and, with --samples, samples.csv.\n"
+      "Exit status: 0 success, 1 tolerance not reached (the files are written), 2 usage, 3 unreadable\n"
+      "input, 4 unsupported topology or geometry.");
     options.add("tolerance", po::value<double>()->default_value(2e-3, "0.002"),
                 "root mean square error allowed, fraction of the bounding box diagonal");
-    options.add("max-tolerance", po::value<double>(), "largest error allowed, likewise (default: 10 times that)");
+    options.add("max-tolerance", po::value<double>(),
+                "largest error allowed, likewise (default: 10 times that)");
     options.add("degree", po::value<int>()->default_value(3), "degree of the splines, 2 to 5");
     options.add("smoothness", po::value<int>()->default_value(2), "smoothness of the blend, 1 to 3");
-    options.add("samples", po::value<long>()->default_value(0), "write this many random points of the surface");
+    options.add("samples", po::value<long>()->default_value(0),
+                "write this many random points of the surface");
     options.parse(argc, argv);
     const Fit_request request = fit_request(options);
 

@@ -41,8 +41,8 @@ int main(int argc, char** argv)
     SM::Fit_report report;
     const auto surface = SM::fit_surface(
       map, SM::parameters::bump(Exponential_bump()).spline_degree(5).fit_report(std::ref(report)));
-    std::cout << "rms error " << report.rms_error << " of the diagonal, the surface is C^" << surface.smoothness()
-              << '\n';
+    std::cout << "rms error " << report.rms_error << " of the diagonal, the surface is C^"
+              << surface.smoothness() << '\n';
   } catch (const SM::Error& e) {
     std::cerr << e.what() << std::endl;
     return EXIT_FAILURE;

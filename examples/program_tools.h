@@ -1,7 +1,9 @@
-// What map_mesh and fit_mesh have in common: options, exit statuses, progress, figures.
+// What map_mesh and fit_mesh have in common: exit statuses, progress, figures.
 
 #ifndef SIMPLE_MANIFOLDS_EXAMPLES_PROGRAM_TOOLS_H
 #define SIMPLE_MANIFOLDS_EXAMPLES_PROGRAM_TOOLS_H
+
+#include "Command_line.h"
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
@@ -16,13 +18,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/version.h>
 
-#include <boost/program_options.hpp>
-
 #include <nlohmann/json.hpp>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -31,7 +27,6 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <memory>
 #include <new>
 #include <string>
 #include <utility>
@@ -39,19 +34,16 @@
 namespace tools {
 
 namespace SM = CGAL::Simple_manifolds;
-namespace po = boost::program_options;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Json = nlohmann::ordered_json;
 
-enum Status { SUCCESS = 0, TOLERANCE_NOT_REACHED = 1, USAGE = 2, UNREADABLE_INPUT = 3, UNSUPPORTED_INPUT = 4 };
-
-/// A command line that makes no sense, or asks for what this version does not have.
-struct Usage_error : std::runtime_error {
-  using std::runtime_error::runtime_error;
+enum Status {
+  SUCCESS = 0,
+  TOLERANCE_NOT_REACHED = 1,
+  USAGE = 2,
+  UNREADABLE_INPUT = 3,
+  UNSUPPORTED_INPUT = 4
 };
-
-/// What is thrown to end the program early without an error: after --help and --version.
-struct Done {};
 
 inline int status_of(const SM::Error& e)
 {
@@ -88,94 +80,6 @@ int run(const char* name, const Program& program)
     return fail(e.what(), UNSUPPORTED_INPUT);
   }
 }
-
-/// The command line: INPUT, and the options of both programs; each adds its own.
-class Command_line {
-public:
-  Command_line(std::string synopsis, std::string summary)
-    : synopsis_(std::move(synopsis)), summary_(std::move(summary)), options_("Options", 100)
-  {
-    add("output,o", po::value<std::string>()->required(), "where to write (required)");
-    add("method", po::value<std::string>()->default_value("certified"), "how to map: certified, paper");
-    add("threads", po::value<int>(), "threads to use; results do not depend on it");
-    add("quiet,q", po::bool_switch(), "print nothing but errors");
-    add("help,h", po::bool_switch(), "print this and end");
-    add("version", po::bool_switch(), "print the version and end");
-  }
-
-  void add(const char* name, const po::value_semantic* value, const char* help)
-  {
-    options_.add_options()(name, value, help);
-  }
-
-  /// \throw Done, Usage_error, po::error
-  void parse(int argc, char** argv)
-  {
-    namespace style = po::command_line_style;
-    po::options_description all = options_;
-    all.add_options()("input", po::value<std::string>()->required(), "");
-    po::positional_options_description positional;
-    positional.add("input", 1);
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional)
-                .style(style::unix_style & ~style::allow_guessing).run(), values_);
-    if (get<bool>("help")) {
-      std::cout << "Usage: " << synopsis_ << "\n\n" << summary_ << "\n\n" << options_;
-      throw Done();
-    }
-    if (get<bool>("version")) {
-      std::cout << "Simple_manifolds " << SIMPLE_MANIFOLDS_VERSION << ", CGAL " << CGAL_VERSION_STR << '\n';
-      throw Done();
-    }
-    if (!values_.count("input")) throw Usage_error("no INPUT is given");
-    po::notify(values_);
-    require_choice("method", {"certified", "paper"});
-    not_yet(get<std::string>("method") == "paper", "--method paper");
-    limit_threads();
-  }
-
-  bool has(const char* name) const { return values_.count(name) && !values_[name].defaulted(); }
-
-  template <class T>
-  T get(const char* name) const { return values_[name].as<T>(); }
-
-  void require_choice(const char* name, std::initializer_list<const char*> choices) const
-  {
-    std::string list;
-    for (const char* choice : choices) {
-      if (get<std::string>(name) == choice) return;
-      list += (list.empty() ? "" : ", ") + std::string(choice);
-    }
-    throw Usage_error(std::string("--") + name + " is one of " + list + ", not \"" + get<std::string>(name) + '"');
-  }
-
-  void require(bool is_right, const char* name, const std::string& range) const
-  {
-    if (!is_right) throw Usage_error(std::string("--") + name + " must be " + range);
-  }
-
-  static void not_yet(bool is_asked, const std::string& option)
-  {
-    if (is_asked) throw Usage_error("this version does not have " + option + " yet");
-  }
-
-private:
-  void limit_threads()
-  {
-    if (!has("threads")) return;
-    require(get<int>("threads") >= 1, "threads", "at least 1");
-#ifdef CGAL_LINKED_WITH_TBB
-    threads_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                     std::size_t(get<int>("threads")));
-#endif
-  }
-
-  std::string synopsis_, summary_;
-  po::options_description options_;
-  po::variables_map values_;
-#ifdef CGAL_LINKED_WITH_TBB
-  std::unique_ptr<tbb::global_control> threads_;
-#endif
-};
 
 /// Shows the running phase on a terminal, in one line that is wiped at the end; nothing into a pipe.
 class Progress : public SM::Default_visitor {
@@ -333,8 +237,9 @@ inline std::string shown(double x)
 template <class Map>
 std::string summary(const Input& input, const Map& map)
 {
-  return input.file + ": " + Map::Atlas::name + ", " + std::to_string(map.number_of_vertices()) + " vertices, "
-       + std::to_string(map.number_of_faces()) + " faces" + (map.is_inward_oriented() ? ", inward oriented" : "");
+  return input.file + ": " + Map::Atlas::name + ", " + std::to_string(map.number_of_vertices())
+       + " vertices, " + std::to_string(map.number_of_faces()) + " faces"
+       + (map.is_inward_oriented() ? ", inward oriented" : "");
 }
 
 } // namespace tools

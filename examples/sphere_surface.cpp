@@ -30,7 +30,8 @@ int main(int argc, char** argv)
 
     SM::Fit_report report;
     const auto surface = SM::fit_surface(map, SM::parameters::rms_error(1e-3).fit_report(std::ref(report)));
-    std::cout << "\n" << report.controls << " controls, rms error " << report.rms_error << " of the diagonal\n";
+    std::cout << '\n' << report.controls << " controls, rms error " << report.rms_error
+              << " of the diagonal\n";
 
     // The surface can be evaluated at any unit vector.
     const Eigen::Vector3d top = surface.point(Eigen::Vector3d(0, 0, 1));

@@ -40,7 +40,8 @@ inline File_mesh read_file_mesh(const std::string& file)
   std::string extension = std::filesystem::path(file).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
-  const bool is_known = extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl";
+  const bool is_known =
+    extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl";
   if (!is_known && std::filesystem::exists(file))
     throw IO_error(Error_code::unsupported_format, file,
                    "the extension \"" + extension + "\" is none of .off, .obj, .ply, .stl");

@@ -71,10 +71,11 @@ void put_if_given(const Map& map, const Vertex& v, const Value& value)
 template <class Surface, class NamedParameters>
 Tile_grid<typename Surface::Atlas> tile_grid(const Surface& surface, const NamedParameters& np)
 {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
   using Grid = Tile_grid<typename Surface::Atlas>;
-  return Grid(CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::subdivisions),
-                                                 Grid::subdivisions_for(6000)),
-              surface.atlas());
+  const int n = choose_parameter(get_parameter(np, internal_np::subdivisions), Grid::subdivisions_for(6000));
+  return Grid(n, surface.atlas());
 }
 
 } // namespace internal

@@ -194,11 +194,21 @@ private:
 
   static double ascii(Text_scanner& in, const Property& p) { return in.number("a value of " + p.name); }
 
+  template <class Real, class Bits>
+  static Real from_bits(Bits bits)
+  {
+    static_assert(sizeof(Real) == sizeof(Bits));
+    Real x;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+  }
+
   double binary(Type t)
   {
     unsigned char b[8];
     const std::size_t n = size(t);
-    if (bytes_.size() - at_ < n) fail("the data end too early, after " + std::to_string(bytes_.size()) + " bytes");
+    if (bytes_.size() - at_ < n)
+      fail("the data end too early, after " + std::to_string(bytes_.size()) + " bytes");
     std::memcpy(b, bytes_.data() + at_, n);
     at_ += n;
     if (format_ == Format::big) std::reverse(b, b + n);
@@ -208,8 +218,8 @@ private:
       case Type::i1: return std::int8_t(bits);
       case Type::i2: return std::int16_t(bits);
       case Type::i4: return std::int32_t(bits);
-      case Type::f4: { const std::uint32_t w = std::uint32_t(bits); float x; std::memcpy(&x, &w, 4); return x; }
-      case Type::f8: { double x; std::memcpy(&x, &bits, 8); return x; }
+      case Type::f4: return from_bits<float>(std::uint32_t(bits));
+      case Type::f8: return from_bits<double>(bits);
       default: return double(bits);
     }
   }

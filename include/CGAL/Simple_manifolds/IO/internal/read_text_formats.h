@@ -24,7 +24,8 @@ inline File_mesh read_off(const std::string& file, std::string_view text)
   Text_scanner in(file, text, true);
   std::string_view variant = in.word("the keyword OFF");
   for (std::string_view prefix : {"ST", "C", "N"})
-    if (variant.size() > 3 && variant.substr(0, prefix.size()) == prefix) variant.remove_prefix(prefix.size());
+    if (variant.size() > 3 && variant.substr(0, prefix.size()) == prefix)
+      variant.remove_prefix(prefix.size());
   if (variant == "4OFF" || variant == "nOFF" || variant == "4nOFF")
     throw IO_error(Error_code::unsupported_format, file, "OFF of another dimension than 3", in.line());
   if (variant != "OFF")

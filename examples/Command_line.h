@@ -1,0 +1,124 @@
+// The command line of map_mesh and fit_mesh.
+
+#ifndef SIMPLE_MANIFOLDS_EXAMPLES_COMMAND_LINE_H
+#define SIMPLE_MANIFOLDS_EXAMPLES_COMMAND_LINE_H
+
+#include <CGAL/version.h>
+
+#include <boost/program_options.hpp>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <initializer_list>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace tools {
+
+namespace po = boost::program_options;
+
+/// A command line that makes no sense, or asks for what this version does not have.
+struct Usage_error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What is thrown to end the program early without an error: after --help and --version.
+struct Done {};
+
+/// The command line: INPUT, and the options of both programs; each adds its own.
+class Command_line {
+public:
+  Command_line(std::string synopsis, std::string summary)
+    : synopsis_(std::move(synopsis)), summary_(std::move(summary)), options_("Options", 100)
+  {
+    add("output,o", po::value<std::string>()->required(), "where to write (required)");
+    add("method", po::value<std::string>()->default_value("certified"), "how to map: certified, paper");
+    add("threads", po::value<int>(), "threads to use; results do not depend on it");
+    add("quiet,q", po::bool_switch(), "print nothing but errors");
+    add("help,h", po::bool_switch(), "print this and end");
+    add("version", po::bool_switch(), "print the version and end");
+  }
+
+  void add(const char* name, const po::value_semantic* value, const char* help)
+  {
+    options_.add_options()(name, value, help);
+  }
+
+  /// \throw Done, Usage_error, po::error
+  void parse(int argc, char** argv)
+  {
+    namespace style = po::command_line_style;
+    po::options_description all = options_;
+    all.add_options()("input", po::value<std::string>()->required(), "");
+    po::positional_options_description positional;
+    positional.add("input", 1);
+    po::store(po::command_line_parser(argc, argv).options(all).positional(positional)
+                .style(style::unix_style & ~style::allow_guessing).run(), values_);
+    if (get<bool>("help")) {
+      std::cout << "Usage: " << synopsis_ << "\n\n" << summary_ << "\n\n" << options_;
+      throw Done();
+    }
+    if (get<bool>("version")) {
+      std::cout << "Simple_manifolds " << SIMPLE_MANIFOLDS_VERSION << ", CGAL " << CGAL_VERSION_STR << '\n';
+      throw Done();
+    }
+    if (!values_.count("input")) throw Usage_error("no INPUT is given");
+    po::notify(values_);
+    require_choice("method", {"certified", "paper"});
+    not_yet(get<std::string>("method") == "paper", "--method paper");
+    limit_threads();
+  }
+
+  bool has(const char* name) const { return values_.count(name) && !values_[name].defaulted(); }
+
+  template <class T>
+  T get(const char* name) const { return values_[name].as<T>(); }
+
+  void require_choice(const char* name, std::initializer_list<const char*> choices) const
+  {
+    std::string list;
+    for (const char* choice : choices) {
+      if (get<std::string>(name) == choice) return;
+      list += (list.empty() ? "" : ", ") + std::string(choice);
+    }
+    throw Usage_error(std::string("--") + name + " is one of " + list + ", not \"" + get<std::string>(name)
+                      + '"');
+  }
+
+  void require(bool is_right, const char* name, const std::string& range) const
+  {
+    if (!is_right) throw Usage_error(std::string("--") + name + " must be " + range);
+  }
+
+  static void not_yet(bool is_asked, const std::string& option)
+  {
+    if (is_asked) throw Usage_error("this version does not have " + option + " yet");
+  }
+
+private:
+  void limit_threads()
+  {
+    if (!has("threads")) return;
+    require(get<int>("threads") >= 1, "threads", "at least 1");
+#ifdef CGAL_LINKED_WITH_TBB
+    threads_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                     std::size_t(get<int>("threads")));
+#endif
+  }
+
+  std::string synopsis_, summary_;
+  po::options_description options_;
+  po::variables_map values_;
+#ifdef CGAL_LINKED_WITH_TBB
+  std::unique_ptr<tbb::global_control> threads_;
+#endif
+};
+
+} // namespace tools
+
+#endif // SIMPLE_MANIFOLDS_EXAMPLES_COMMAND_LINE_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_PLY_ROWS_H
+#define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_PLY_ROWS_H
+
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <ostream>
+#include <string>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+// The shortest text that reads back as the same double.
+inline std::string shortest(double x)
+{
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, x).ptr);
+}
+
+// Writes a PLY: header lines as they are, then the values of the elements in order. Binary files are
+// little endian on every machine, and read back bit for bit either way.
+class Ply_rows {
+public:
+  Ply_rows(std::ostream& out, bool is_binary) : out_(out), is_binary_(is_binary)
+  {
+    out_ << "ply\nformat " << (is_binary ? "binary_little_endian" : "ascii") << " 1.0\n";
+  }
+
+  void header(const std::string& line) { out_ << line << '\n'; }
+
+  void value(double x)
+  {
+    if (!is_binary_) return text(shortest(x));
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    bytes(bits, 8);
+  }
+
+  void value(int x) { is_binary_ ? bytes(std::uint32_t(x), 4) : text(std::to_string(x)); }
+  void list_length(unsigned char n) { is_binary_ ? bytes(n, 1) : text(std::to_string(n)); }
+
+  template <class Vector>
+  void values(const Vector& x)
+  {
+    for (int k = 0; k < x.size(); ++k) value(double(x[k]));
+  }
+
+  void end_row()
+  {
+    if (!is_binary_) out_ << '\n';
+    is_row_begin_ = true;
+  }
+
+private:
+  void bytes(std::uint64_t bits, int n)
+  {
+    char b[8];
+    for (int k = 0; k < n; ++k) b[k] = char(bits >> (8 * k));
+    out_.write(b, n);
+  }
+
+  void text(const std::string& s)
+  {
+    if (!is_row_begin_) out_ << ' ';
+    out_ << s;
+    is_row_begin_ = false;
+  }
+
+  std::ostream& out_;
+  bool is_binary_, is_row_begin_ = true;
+};
+
+// The faces of a mesh of triangles, with one more number each where `extra` gives one.
+template <class Triangles, class Extra>
+void write_ply_triangles(Ply_rows& ply, const Triangles& triangles, const Extra& extra)
+{
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    ply.list_length(3);
+    for (int v : triangles[f]) ply.value(v);
+    extra(int(f));
+    ply.end_row();
+  }
+}
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_PLY_ROWS_H

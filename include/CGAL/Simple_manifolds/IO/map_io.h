@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_IO_MAP_IO_H
+#define CGAL_SIMPLE_MANIFOLDS_IO_MAP_IO_H
+
+#include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/IO/Atomic_file.h>
+#include <CGAL/Simple_manifolds/IO/internal/Ply_file.h>
+#include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
+#include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
+#include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
+#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
+#include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
+#include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
+#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/parameters.h>
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+namespace internal {
+
+/// The vertex properties that hold the domain point.
+template <class Atlas>
+std::vector<std::string> domain_properties()
+{
+  if (Atlas::Domain_point::RowsAtCompileTime == 3) return {"domain_x", "domain_y", "domain_z"};
+  return {"domain_u", "domain_v"};
+}
+
+/// The words that follow `key` in a comment `key words`, or nothing.
+inline std::string value_of_comment(const Ply_file& ply, const std::string& key)
+{
+  for (const std::string& comment : ply.comments())
+    if (comment.compare(0, key.size() + 1, key + ' ') == 0) return comment.substr(key.size() + 1);
+  return std::string();
+}
+
+template <class Atlas>
+Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
+{
+  const std::vector<std::string> names = domain_properties<Atlas>();
+  std::vector<typename Atlas::Domain_point> domain_points(ply.number_of_vertices());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::vector<double>& column = ply.vertex_property(names[k]);
+    for (std::size_t v = 0; v < column.size(); ++v) domain_points[v][k] = column[v];
+  }
+  std::size_t inputs = ply.number_of_vertices();
+  if (const std::string text = value_of_comment(ply, "input_vertices"); !text.empty()) {
+    const long long n = Text_scanner(file, text, false).integer(text, "the number of input_vertices");
+    if (n < 0 || std::size_t(n) > inputs)
+      ply.fail("input_vertices is " + text + ", but there are " + std::to_string(inputs) + " vertices");
+    inputs = std::size_t(n);
+  }
+
+  File_mesh mesh = ply.mesh();
+  checked_topology(file, mesh);
+  std::vector<Triangle> faces;
+  for (int f = 0; f < mesh.number_of_faces(); ++f) {
+    const int h = mesh.first(f);
+    if (mesh.last(f) != h + 2) ply.fail("face " + std::to_string(f) + " of the map is no triangle");
+    faces.push_back({mesh.source(h), mesh.source(h + 1), mesh.source(h + 2)});
+  }
+  return Manifold_map<Atlas>(std::move(mesh.points), std::move(faces), std::move(domain_points), inputs);
+}
+
+} // namespace internal
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// Writes a map as a PLY file: per vertex the position `x y z` and the domain point `domain_x domain_y
+/// domain_z` (sphere) or `domain_u domain_v` (torus, plane), all as doubles; per face the vertices and
+/// `chart`, a chart that contains the face, or -1. The comments name the atlas and the number of input
+/// vertices, which come first. What is read back is the same to the last bit, and so is its certificate.
+///
+/// \param np  `use_binary_mode` (default: true; false writes text)
+/// \throw IO_error (`cannot_write`); a file that was there before is then as it was
+template <class Atlas, class NamedParameters = parameters::Default_named_parameters>
+void write_map(const std::string& file, const Manifold_map<Atlas>& map,
+               const NamedParameters& np = parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+
+  Atomic_file output(file);
+  internal::Ply_rows ply(output.stream(),
+                         choose_parameter(get_parameter(np, CGAL::internal_np::use_binary_mode), true));
+  ply.header("comment simple_manifolds map");
+  ply.header(std::string("comment atlas ") + Atlas::name);
+  ply.header("comment input_vertices " + std::to_string(map.number_of_input_vertices()));
+  ply.header("element vertex " + std::to_string(map.number_of_vertices()));
+  for (const char* name : {"x", "y", "z"}) ply.header(std::string("property double ") + name);
+  for (const std::string& name : internal::domain_properties<Atlas>()) ply.header("property double " + name);
+  ply.header("element face " + std::to_string(map.number_of_faces()));
+  ply.header("property list uchar int vertex_indices");
+  ply.header("property int chart");
+  ply.header("end_header");
+  for (std::size_t v = 0; v < map.number_of_vertices(); ++v) {
+    ply.values(map.point(v));
+    ply.values(map.domain_point(v));
+    ply.end_row();
+  }
+  internal::write_ply_triangles(ply, map.faces(), [&](int f) { ply.value(map.chart(f)); });
+  output.commit();
+}
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// Reads a map to the canonical surface `Atlas`. The map is certified anew: the file is not trusted.
+///
+/// \throw IO_error when the file is missing or damaged, is no map, or names another atlas
+/// \throw Topology_error, Geometry_error when the mesh is none that can be mapped
+/// \throw Numeric_error (`map_not_bijective`) when the map is not one to one
+template <class Atlas>
+Manifold_map<Atlas> read_map(const std::string& file)
+{
+  const std::string bytes = internal::file_contents(file);
+  internal::Ply_file ply(file, bytes);
+  const std::string atlas = internal::value_of_comment(ply, "atlas");
+  if (atlas != Atlas::name)
+    ply.fail("the atlas is \"" + internal::Text_scanner::shown(atlas) + "\", not " + Atlas::name);
+  return internal::map_of_ply<Atlas>(ply, file);
+}
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// Reads a map to whichever canonical surface the file names; else as `read_map<Atlas>()`.
+inline std::variant<Manifold_map<Plane_atlas>, Manifold_map<Sphere_atlas>, Manifold_map<Torus_atlas>>
+read_map(const std::string& file)
+{
+  const std::string bytes = internal::file_contents(file);
+  internal::Ply_file ply(file, bytes);
+  const std::string atlas = internal::value_of_comment(ply, "atlas");
+  if (atlas == Plane_atlas::name) return internal::map_of_ply<Plane_atlas>(ply, file);
+  if (atlas == Sphere_atlas::name) return internal::map_of_ply<Sphere_atlas>(ply, file);
+  if (atlas == Torus_atlas::name) return internal::map_of_ply<Torus_atlas>(ply, file);
+  ply.fail("no map: no comment \"atlas sphere\", \"atlas torus\" or \"atlas plane\"");
+}
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_IO_MAP_IO_H
