@@ -81,7 +81,7 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a, const NamedParamete
       const Corner_table& table = mesh.table();
       bool has_long_edge = false;
       for (int h = 0; h < 3 * m && !has_long_edge; ++h)
-        has_long_edge = !((geometry.neighbour(table, h) - geometry.position(table.origin(h)))
+        has_long_edge = !((geometry.lifted_target(table, h) - geometry.position(table.origin(h)))
                             .cwiseAbs().maxCoeff() < 0.5);
       std::vector<Eigen::Vector2d> domain_points(n);
       std::vector<int> vertex(n); // of the input, per vertex of the hierarchy
@@ -96,8 +96,8 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a, const NamedParamete
       for (int f = 0; f < m; ++f) {
         const int u = table.origin(3 * f), v = table.origin(3 * f + 1), w = table.origin(3 * f + 2);
         faces.push_back({Lifted_corner{vertex[u], geometry.position(u)},
-                         Lifted_corner{vertex[v], geometry.neighbour(table, 3 * f)},
-                         Lifted_corner{vertex[w], geometry.neighbour(table, table.opposite(3 * f + 2))}});
+                         Lifted_corner{vertex[v], geometry.lifted_target(table, 3 * f)},
+                         Lifted_corner{vertex[w], geometry.lifted_target(table, table.opposite(3 * f + 2))}});
       }
       std::vector<Eigen::Vector3d> points = a.points;
       split_long_edges(faces, points, domain_points);

@@ -33,7 +33,7 @@ namespace internal {
 template <class Geometry, class ConcurrencyTag>
 class Coarse_to_fine_embedding {
 public:
-  using Star = typename Geometry::Star;
+  using Star = internal::Star<Geometry>;
   using Point = typename Geometry::Point;
 
   // mesh: decimated, with masses that are the target areas of the vertices.
@@ -49,6 +49,7 @@ public:
     if (!geometry_.embed_base(mesh_))
       return false;
     set_targets();
+    build_stars();
     sweep(number_of_sweeps());
     double done = 0;
     const double all = total_work();
@@ -57,6 +58,7 @@ public:
       const int first = mesh_.number_of_active_vertices();
       mesh_.refine([&](int h) { geometry_.restore(mesh_.table(), h); });
       set_targets();
+      build_stars();
       if (!place(first, mesh_.number_of_active_vertices()))
         return false;
       const int sweeps = number_of_sweeps();
@@ -102,16 +104,18 @@ private:
         const auto v = t.face(f);
         targets_[f].quarter_cot =
           quarter_cotangents(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), shape_floor_);
-        if (is_finest) {
-          targets_[f].area = target_area_(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]));
-        } else {
-          targets_[f].area = 0;
+        double area = 0;
+        if (is_finest)
+          area = target_area_(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]));
+        else
           for (int k = 0; k < 3; ++k)
-            targets_[f].area += mesh_.mass(v[k]) / mesh_.number_of_real_faces(v[k]);
-        }
+            area += mesh_.mass(v[k]) / mesh_.number_of_real_faces(v[k]);
+        targets_[f].area = static_cast<float>(area);
       }
     });
   }
+
+  void build_stars() { stars_.template build<ConcurrencyTag>(mesh_, geometry_, targets_); }
 
   bool place(int first, int last)
   {
@@ -133,22 +137,23 @@ private:
 
   bool place(int v, Star& star, Star_kernel& kernel)
   {
-    star.gather(geometry_, mesh_, targets_, mesh_.collapse_half_edge(v));
-    const auto chart = geometry_.chart(star.ring);
+    star.gather(geometry_, stars_, v, mesh_.is_on_border(v));
+    // Half-planes of the edges at the vertex that v was merged into pass exactly through the origin.
+    const Point origin = geometry_.position(mesh_.table().target(mesh_.collapse_half_edge(v)));
+    const auto chart = geometry_.chart(origin, star.ring);
     Eigen::Vector2d inside;
     if (geometry_.degrees_of_freedom(v) == 1) {
-      // Between the two neighbours on the side; the first is the origin of the chart.
-      const Eigen::Vector2d direction = chart.direction_to(geometry_.side_neighbour(mesh_, v));
-      Interval_kernel interval(direction, 1);
-      for (const auto& s : star.sectors)
-        interval.clip(chart.half_plane(s.a, s.b));
+      const Point& other_end = star.ring.front() == origin ? star.ring.back() : star.ring.front();
+      Interval_kernel interval(chart.direction_to(other_end), 1);
+      for (int i = 0; i < star.number_of_sectors(); ++i)
+        interval.clip(chart.half_plane(star.ring[i], star.ring[i + 1]));
       if (interval.is_empty())
         return false;
       inside = interval.middle();
     } else {
       kernel.reset(chart.bound);
-      for (const auto& s : star.sectors)
-        kernel.clip(chart.half_plane(s.a, s.b));
+      for (int i = 0; i < star.number_of_sectors(); ++i)
+        kernel.clip(chart.half_plane(star.ring[i], star.ring[i + 1]));
       if (kernel.is_empty())
         return false;
       inside = kernel.centroid();
@@ -174,8 +179,8 @@ private:
   void sweep(int times)
   {
     for (int i = 0; i < times; ++i) {
-      if (i % 4 == 0)
-        geometry_.update_metric(mesh_, targets_, energy_);
+      if (i % 4 == 0 && geometry_.update_metric(mesh_, targets_, energy_))
+        build_stars();
       Star star;
       for (int v = 0; v < mesh_.level_end(0); ++v)
         relax(v, star);
@@ -195,7 +200,7 @@ private:
     const int dof = v == mesh_.apex() ? 0 : geometry_.degrees_of_freedom(v);
     if (dof == 0)
       return;
-    star.gather(geometry_, mesh_, targets_, mesh_.table().outgoing(v));
+    star.gather(geometry_, stars_, v, mesh_.is_on_border(v));
     const Quadratic_model m = geometry_.model(star, energy_);
     Eigen::Vector2d step;
     if (dof == 2) {
@@ -209,11 +214,10 @@ private:
     const double slope = step[0] * m.g0 + step[1] * m.g1;
     if (!(slope < 0))
       return;
-    const double here = star.energy(geometry_, energy_, star.position);
     double scale = over_relaxation;
     for (int i = 0; i < 12; ++i, scale /= 2) {
       const Point q = geometry_.moved(star, scale * step);
-      if (star.energy(geometry_, energy_, q) <= here + 1e-4 * scale * slope) {
+      if (star.energy(geometry_, energy_, q) <= m.value + 1e-4 * scale * slope) {
         geometry_.set_position(v, q);
         return;
       }
@@ -229,6 +233,7 @@ private:
   Target_area target_area_;
   double shape_floor_;
   std::vector<Face_target> targets_; // of the active faces
+  typename Star::Table stars_;       // of the active vertices
 };
 
 } // namespace internal

@@ -59,7 +59,8 @@ public:
     return apex_ >= 0 && (table_.origin(3 * f) == apex_ || table_.origin(3 * f + 1) == apex_
                           || table_.origin(3 * f + 2) == apex_);
   }
-  // The neighbour that v was merged into: the ring of v has a fan from there in the coarser mesh.
+  // The half-edge from v to the neighbour that it was merged into, when its level has just come back: the ring
+  // of v has a fan from there in the coarser mesh.
   int collapse_half_edge(int v) const { return collapse_[v]; }
   // New number of a vertex of the input.
   int number_of(int input_vertex) const { return number_[input_vertex]; }

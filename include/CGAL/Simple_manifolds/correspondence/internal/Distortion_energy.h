@@ -22,13 +22,13 @@ namespace internal {
 
 // What the image of a face is compared with: a shape and an area.
 struct Face_target {
-  std::array<double, 3> quarter_cot = {0, 0, 0}; // a fourth of the cotangents of the reference angles
-  double area = 0;                               // 0 marks a virtual face
+  std::array<float, 3> quarter_cot = {0, 0, 0}; // a fourth of the cotangents of the reference angles
+  float area = 0;                               // 0 marks a virtual face
 };
 
 // The shape of the triangle (a, b, c), with `floor` of the equilateral metric added to its own: no
 // angle of the reference is degenerate, even where the triangle is.
-inline std::array<double, 3> quarter_cotangents(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+inline std::array<float, 3> quarter_cotangents(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                                                 const Eigen::Vector3d& c, double floor)
 {
   std::array<double, 3> l = {(c - b).squaredNorm(), (a - c).squaredNorm(), (b - a).squaredNorm()};
@@ -38,7 +38,8 @@ inline std::array<double, 3> quarter_cotangents(const Eigen::Vector3d& a, const 
   const double sum = l[0] + l[1] + l[2];
   const double area_4 = std::sqrt(std::max(
     2 * (l[0] * l[1] + l[1] * l[2] + l[2] * l[0]) - (l[0] * l[0] + l[1] * l[1] + l[2] * l[2]), 1e-30));
-  return {(sum - 2 * l[0]) / (4 * area_4), (sum - 2 * l[1]) / (4 * area_4), (sum - 2 * l[2]) / (4 * area_4)};
+  const auto quarter_cot = [&](double opposite) { return static_cast<float>((sum - 2 * opposite) / (4 * area_4)); };
+  return {quarter_cot(l[0]), quarter_cot(l[1]), quarter_cot(l[2])};
 }
 
 // The target area of a face: a share of its own area, and a constant that gives room to faces without
@@ -82,9 +83,9 @@ private:
   double lambda_;
 };
 
-// Gradient and Hessian in the two coordinates in which a vertex moves.
+// Energy, gradient and Hessian in the two coordinates in which a vertex moves.
 struct Quadratic_model {
-  double g0 = 0, g1 = 0, h00 = 0, h01 = 0, h11 = 0;
+  double value = 0, g0 = 0, g1 = 0, h00 = 0, h01 = 0, h11 = 0;
 
   // Adds a face: derivatives e of its energy, gradients (d, s) of D and S, Hessian of D.
   void add(const Distortion_energy::Derivatives& e, const Eigen::Vector2d& d, const Eigen::Vector2d& s,

@@ -25,7 +25,6 @@ namespace internal {
 class Planar_geometry {
 public:
   using Point = Eigen::Vector2d;
-  using Star = internal::Star<Point>;
   static constexpr double total_area = 1;
   static constexpr int minimum_vertices = 0; // go on until nothing is contractible
 
@@ -39,21 +38,30 @@ public:
     return m00_ * d[0] * d[0] + 2 * m01_ * d[0] * d[1] + m11_ * d[1] * d[1];
   }
   static double cross(const Point& a, const Point& b) { return a[0] * b[1] - a[1] * b[0]; }
-  static double twice_area(const Point& p, const Point& a, const Point& b) { return cross(a - p, b - p); }
+  // Twice the area of (p, p + a, p + b).
+  static double twice_area(const Point&, const Point& a, const Point& b) { return cross(a, b); }
 
+  template <class Star>
   Quadratic_model model(const Star& star, const Distortion_energy& energy) const
   {
     Quadratic_model m;
-    for (const auto& s : star.sectors) {
-      const Point da = s.a - star.position, db = s.b - star.position;
-      const double S = cross(da, db) / 2;
-      const double D = s.fixed + s.cot_b * squared_length(da) + s.cot_a * squared_length(db);
+    Point a = star.ring[0] - star.position;
+    double length_a = squared_length(a);
+    for (int i = 0; i < star.number_of_sectors(); ++i) {
+      const auto& s = star.sectors[i];
+      const Point b = star.ring[i + 1] - star.position;
+      const double length_b = squared_length(b);
+      const double S = 0.5 * cross(a, b);
+      const double D = star.fixed[i] + s.cot_b * length_a + s.cot_a * length_b;
       const auto e = energy.derivatives(D, S, s.area);
-      const Point g = -2 * (s.cot_b * da + s.cot_a * db);
+      const Point g = -2 * (s.cot_b * a + s.cot_a * b);
       const Point gD(m00_ * g[0] + m01_ * g[1], m01_ * g[0] + m11_ * g[1]);
-      const Point gS(0.5 * (da[1] - db[1]), 0.5 * (db[0] - da[0]));
+      const Point gS(0.5 * (a[1] - b[1]), 0.5 * (b[0] - a[0]));
       const double h = 2 * (s.cot_a + s.cot_b);
+      m.value += energy.value(D, S, s.area);
       m.add(e, gD, gS, h * m00_, h * m01_, h * m11_);
+      a = b;
+      length_a = length_b;
     }
     return m;
   }
@@ -65,9 +73,10 @@ public:
     return length > 0.25 ? Eigen::Vector2d(step * (0.25 / length)) : step;
   }
 
-  Point moved(const Star& star, const Eigen::Vector2d& t) const { return snapped(star.position + t); }
+  template <class Star>
+  static Point moved(const Star& star, const Eigen::Vector2d& t) { return snapped(star.position + t); }
 
-  // Coordinates relative to the first ring vertex.
+  // Coordinates relative to a point.
   struct Chart {
     Point origin;
     double bound;
@@ -79,9 +88,9 @@ public:
     Point point(const Eigen::Vector2d& x) const { return snapped(origin + x); }
     Eigen::Vector2d direction_to(const Point& p) const { return p - origin; }
   };
-  Chart chart(const std::vector<Point>& ring) const
+  static Chart chart(const Point& origin, const std::vector<Point>& ring)
   {
-    Chart c{ring[0], 0};
+    Chart c{origin, 0};
     for (const Point& r : ring)
       c.bound = std::max(c.bound, (r - c.origin).cwiseAbs().maxCoeff());
     return c;

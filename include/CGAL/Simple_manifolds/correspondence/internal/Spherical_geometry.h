@@ -27,7 +27,9 @@ namespace internal {
 class Spherical_geometry {
 public:
   using Point = Eigen::Vector3d;
-  using Star = internal::Star<Point>;
+  using Neighbour = int;
+  using Star = internal::Star<Spherical_geometry>;
+  using Frame = Eigen::Matrix<double, 3, 2>; // an orthonormal basis of a tangent plane
   static constexpr double total_area = 4 * 3.14159265358979323846;
   static constexpr int minimum_vertices = 4;
 
@@ -51,42 +53,54 @@ public:
     position_[f[1]] = Point(-1, 1, -1) * r;
     position_[f[2]] = Point(1, -1, -1) * r;
     position_[6 - f[0] - f[1] - f[2]] = Point(-1, -1, 1) * r;
-    if (twice_area(position_[f[0]], position_[f[1]], position_[f[2]]) < 0)
+    if (position_[f[0]].dot(position_[f[1]].cross(position_[f[2]])) < 0)
       for (int v = 0; v < 4; ++v)
         position_[v] = -position_[v];
     return true;
   }
   void start_level(const Collapse_hierarchy&) {}
   void restore(const Corner_table&, int) {}
-  void update_metric(const Collapse_hierarchy&, const std::vector<Face_target>&, const Distortion_energy&) {}
+  bool update_metric(const Collapse_hierarchy&, const std::vector<Face_target>&, const Distortion_energy&) { return false; }
 
-  // The neighbour at the end of h, as seen from its origin.
-  const Point& neighbour(const Corner_table& t, int h) const { return position_[t.target(h)]; }
+  // The neighbour at the end of h, and its position as seen from the origin of h.
+  static Neighbour neighbour(const Corner_table& t, int h) { return t.target(h); }
+  const Point& seen(Neighbour v) const { return position_[v]; }
 
   static double squared_length(const Point& d) { return d.squaredNorm(); }
-  // Computed with differences: full relative precision for the smallest stars.
-  static double twice_area(const Point& p, const Point& a, const Point& b) { return p.dot((a - p).cross(b - p)); }
+  // Twice the area of (p, p + a, p + b): with differences, for the precision of the smallest stars.
+  static double twice_area(const Point& p, const Point& a, const Point& b) { return p.dot(a.cross(b)); }
 
-  // Energy, gradient and Hessian in the tangent coordinates of the star's frame.
-  Quadratic_model model(Star& star, const Distortion_energy& energy) const
+  // Energy, gradient and Hessian in the coordinates of `moved`.
+  Quadratic_model model(const Star& star, const Distortion_energy& energy) const
   {
     const Point& p = star.position;
-    star.frame.col(0) = p.unitOrthogonal();
-    star.frame.col(1) = p.cross(star.frame.col(0));
-    const Eigen::Matrix<double, 2, 3> to_tangent = star.frame.transpose();
+    const Frame frame = tangent_frame(p);
     Quadratic_model m;
     double normal = 0; // of the gradient: the sphere falls away from its tangent plane
-    for (const auto& s : star.sectors) {
-      const Point da = s.a - p, db = s.b - p;
-      const Point cross = da.cross(db);
-      const Point n = p.cross(s.b - s.a) + cross; // a x b
-      const double S = p.dot(cross) / 2;
-      const double D = s.fixed + s.cot_b * da.squaredNorm() + s.cot_a * db.squaredNorm();
+    // In coordinates (tangent, tangent, normal) relative to p.
+    const auto local = [&](const Point& r) {
+      const Point d = r - p;
+      return Point(frame.col(0).dot(d), frame.col(1).dot(d), p.dot(d));
+    };
+    Point a = local(star.ring[0]);
+    double length_a = a.squaredNorm();
+    for (int i = 0; i < star.number_of_sectors(); ++i) {
+      const auto& s = star.sectors[i];
+      const Point b = local(star.ring[i + 1]);
+      const double length_b = b.squaredNorm();
+      const double S = 0.5 * (a[0] * b[1] - a[1] * b[0]);
+      const double D = star.fixed[i] + s.cot_b * length_a + s.cot_a * length_b;
       const auto e = energy.derivatives(D, S, s.area);
-      const Point gD = -2 * (s.cot_b * da + s.cot_a * db), gS = n / 2;
+      const Point gD = -2 * (s.cot_b * a + s.cot_a * b);
+      // Half of (p + a) x (p + b), without the cancellation.
+      const Eigen::Vector2d gS(0.5 * (a[1] - b[1] + a[1] * b[2] - a[2] * b[1]),
+                               0.5 * (b[0] - a[0] + a[2] * b[0] - a[0] * b[2]));
       const double hD = 2 * (s.cot_a + s.cot_b);
-      m.add(e, to_tangent * gD, to_tangent * gS, hD, 0, hD);
-      normal += e.D * p.dot(gD) + e.S * p.dot(gS);
+      m.value += energy.value(D, S, s.area);
+      m.add(e, gD.head<2>(), gS, hD, 0, hD);
+      normal += e.D * gD[2] + e.S * S;
+      a = b;
+      length_a = length_b;
     }
     m.h00 -= normal;
     m.h11 -= normal;
@@ -96,17 +110,16 @@ public:
 
   Point moved(const Star& star, const Eigen::Vector2d& t) const
   {
-    return (star.position + star.frame * t).normalized();
+    return (star.position + tangent_frame(star.position) * t).normalized();
   }
   int degrees_of_freedom(int) const { return 2; }
   Eigen::Vector2d side_direction(int) const { return Eigen::Vector2d(1, 0); } // there are no sides
-  Point side_neighbour(const Collapse_hierarchy&, int) const { return Point(0, 0, 0); }
   void set_position(int v, const Point& p) { position_[v] = p; }
 
-  // Gnomonic coordinates round v = the first ring vertex: great circles are straight lines.
+  // Gnomonic coordinates: great circles are straight lines.
   struct Chart {
     Point origin;
-    Eigen::Matrix<double, 3, 2> frame;
+    Frame frame;
     double bound;
     Half_plane half_plane(const Point& a, const Point& b) const
     {
@@ -117,13 +130,9 @@ public:
     Point point(const Eigen::Vector2d& x) const { return (origin + frame * x).normalized(); }
     Eigen::Vector2d direction_to(const Point&) const { return Eigen::Vector2d(0, 0); }
   };
-  Chart chart(const std::vector<Point>& ring) const
+  static Chart chart(const Point& origin, const std::vector<Point>& ring)
   {
-    Chart c;
-    c.origin = ring[0];
-    c.frame.col(0) = c.origin.unitOrthogonal();
-    c.frame.col(1) = c.origin.cross(c.frame.col(0));
-    c.bound = 0;
+    Chart c{origin, tangent_frame(origin), 0};
     for (const Point& r : ring) {
       const double height = r.dot(c.origin);
       const double distance = height > 0.2 ? (c.frame.transpose() * r).norm() / height : 5;
@@ -133,6 +142,14 @@ public:
   }
 
 private:
+  static Frame tangent_frame(const Point& p)
+  {
+    Frame frame;
+    frame.col(0) = p.unitOrthogonal();
+    frame.col(1) = p.cross(frame.col(0));
+    return frame;
+  }
+
   std::vector<Point> position_;
 };
 

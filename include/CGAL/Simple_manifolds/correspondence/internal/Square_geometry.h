@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/correspondence/internal/Collapse_hierarchy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/Planar_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/Star.h>
 
 #include <Eigen/Dense>
 
@@ -62,20 +63,10 @@ public:
   {
     return sides_[v] & 5 ? Eigen::Vector2d(1, 0) : Eigen::Vector2d(0, 1);
   }
-  // The border neighbour of v that v was not merged into.
-  Point side_neighbour(const Collapse_hierarchy& mesh, int v) const
-  {
-    const Corner_table& t = mesh.table();
-    Point p(0, 0);
-    t.for_each_outgoing(mesh.collapse_half_edge(v), [&](int h) {
-      const bool beside_apex = t.target(t.rotate(h)) == apex_ || t.target(Corner_table::next(t.opposite(h))) == apex_;
-      if (beside_apex && h != mesh.collapse_half_edge(v))
-        p = position_[t.target(h)];
-    });
-    return p;
-  }
-
-  Point neighbour(const Corner_table& t, int h) const { return position_[t.target(h)]; }
+  using Neighbour = int;
+  using Star = internal::Star<Square_geometry>;
+  static Neighbour neighbour(const Corner_table& t, int h) { return t.target(h); }
+  const Point& seen(Neighbour v) const { return position_[v]; }
 
   // Border vertices evenly spaced on their sides, interior ones (none, if the base is minimal) at the mean
   // of their neighbours (Tutte 1963).
@@ -116,14 +107,14 @@ public:
         position_[v] = snapped(x.row(v).transpose());
     for (int f = 0; f < mesh.number_of_active_faces(); ++f) {
       const auto v = t.face(f);
-      if (!mesh.is_virtual_face(f) && !(twice_area(position_[v[0]], position_[v[1]], position_[v[2]]) > 0))
+      if (!mesh.is_virtual_face(f) && !(cross(position_[v[1]] - position_[v[0]], position_[v[2]] - position_[v[0]]) > 0))
         return false;
     }
     return true;
   }
   void start_level(const Collapse_hierarchy&) {}
   void restore(const Corner_table&, int) {}
-  void update_metric(const Collapse_hierarchy&, const std::vector<Face_target>&, const Distortion_energy&) {}
+  bool update_metric(const Collapse_hierarchy&, const std::vector<Face_target>&, const Distortion_energy&) { return false; }
 
 private:
   static constexpr int largest_base = 500; // a bound for the dense solver; 5 suffice

@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/correspondence/internal/Collapse_hierarchy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/Planar_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/Star.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/torus_cocycles.h>
 
 #include <Eigen/Dense>
@@ -28,6 +29,9 @@ namespace internal {
 // the identity. So decimation does not touch the deck transformations, and undoing costs O(1).
 class Torus_geometry : public Planar_geometry {
 public:
+  struct Neighbour { int vertex; Deck deck; };
+  using Star = internal::Star<Torus_geometry>;
+
   Torus_geometry(int number_of_vertices, int number_of_faces)
     : Planar_geometry(number_of_vertices), deck_(3 * static_cast<std::size_t>(number_of_faces)) {}
 
@@ -36,14 +40,16 @@ public:
   bool is_admissible(int, const std::vector<int>&, int) const { return true; }
   int degrees_of_freedom(int) const { return 2; }
   Eigen::Vector2d side_direction(int) const { return Eigen::Vector2d(1, 0); } // there are no sides
-  Point side_neighbour(const Collapse_hierarchy&, int) const { return Point(0, 0); }
 
   const Deck& deck(int h) const { return deck_[h]; }
-  Point neighbour(const Corner_table& t, int h) const
+  Neighbour neighbour(const Corner_table& t, int h) const { return {t.target(h), deck_[h]}; }
+  Point seen(const Neighbour& n) const
   {
-    const Point& p = position_[t.target(h)];
-    return Point(p[0] + deck_[h].i, p[1] + deck_[h].j);
+    const Point& p = position_[n.vertex];
+    return Point(p[0] + n.deck.i, p[1] + n.deck.j);
   }
+  // The target of h as seen from its origin.
+  Point lifted_target(const Corner_table& t, int h) const { return seen(neighbour(t, h)); }
 
   // Harmonic coordinates with uniform weights: an embedding on every simplicial torus (Lovasz;
   // Gortler, Gotsman and Thurston 2006). The base has 7 to 10 vertices.
@@ -93,8 +99,9 @@ public:
   }
 
   // The metric that minimises the energy for fixed coordinates, in closed form: the energy is
-  // tr(M^-1 Q)/2 + const, Q = sum_f weight_f sum_k cot_k d_k d_k^T / 2, hence M = sqrt(det Q) Q^-1.
-  void update_metric(const Collapse_hierarchy& mesh, const std::vector<Face_target>& targets,
+  // tr(M Q)/2 + const, Q = sum_f weight_f sum_k cot_k d_k d_k^T / 2, hence M = sqrt(det Q) Q^-1.
+  // Returns whether the deck transformations changed.
+  bool update_metric(const Collapse_hierarchy& mesh, const std::vector<Face_target>& targets,
                      const Distortion_energy& energy)
   {
     const Corner_table& t = mesh.table();
@@ -103,7 +110,7 @@ public:
       const double w = 2 * energy.weight(face_twice_area(t, f) / 2, targets[f].area);
       for (int k = 0; k < 3; ++k) {
         const int h = 3 * f + k;
-        const Point d = neighbour(t, h) - position_[t.origin(h)];
+        const Point d = lifted_target(t, h) - position_[t.origin(h)];
         const double c = w * targets[f].quarter_cot[(k + 2) % 3];
         q00 += c * d[0] * d[0];
         q01 += c * d[0] * d[1];
@@ -112,12 +119,11 @@ public:
     }
     const double root = std::sqrt(q00 * q11 - q01 * q01);
     if (!(root > 0) || !std::isfinite(root))
-      return;
+      return false;
     m00_ = q11 / root;
     m01_ = -q01 / root;
     m11_ = q00 / root;
-    if (mesh.number_of_active_vertices() < 20000)
-      reduce(mesh);
+    return mesh.number_of_active_vertices() < 20000 && reduce(mesh);
   }
 
   // Moves every vertex to its copy in [0,1)^2.
@@ -142,12 +148,12 @@ private:
   double face_twice_area(const Corner_table& t, int f) const
   {
     const Point& p = position_[t.origin(3 * f)];
-    return twice_area(p, neighbour(t, 3 * f), neighbour(t, t.opposite(3 * f + 2)));
+    return cross(lifted_target(t, 3 * f) - p, lifted_target(t, t.opposite(3 * f + 2)) - p);
   }
 
   // Lagrange's reduction of the lattice basis in the current metric, with some hysteresis: every change
   // costs a pass over the mesh. Well shaped cells keep the coordinates of long tori accurate.
-  void reduce(const Collapse_hierarchy& mesh)
+  bool reduce(const Collapse_hierarchy& mesh)
   {
     int b[2][2] = {{1, 0}, {0, 1}}; // new coordinates = b * old ones
     bool changed = false;
@@ -172,7 +178,7 @@ private:
       changed = true;
     }
     if (!changed)
-      return;
+      return false;
     for (int v = 0; v < mesh.number_of_active_vertices(); ++v) {
       const Point p = position_[v];
       position_[v] = Point(b[0][0] * p[0] + b[0][1] * p[1], b[1][0] * p[0] + b[1][1] * p[1]);
@@ -183,6 +189,7 @@ private:
                   static_cast<short>(b[1][0] * d.i + b[1][1] * d.j)};
     }
     wrap(mesh);
+    return true;
   }
 
   std::vector<Deck> deck_; // per half-edge

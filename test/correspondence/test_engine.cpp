@@ -1,0 +1,261 @@
+// The parts of the coarse-to-fine engine, each against what it has to be.
+
+#include "catch.h"
+#include "random_surfaces.h"
+
+#include <CGAL/Simple_manifolds/correspondence/internal/Collapse_hierarchy.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/Planar_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/Spherical_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/Star_kernel.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/split_edges.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/torus_cocycles.h>
+
+using namespace CGAL::Simple_manifolds;
+using namespace CGAL::Simple_manifolds::internal;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+std::vector<std::array<int, 3>> active_faces(const Corner_table& t, int n)
+{
+  std::vector<std::array<int, 3>> faces;
+  for (int f = 0; f < n; ++f)
+    faces.push_back(t.face(f));
+  return faces;
+}
+
+// Every corner in the ring of its vertex, opposites in pairs, degrees right.
+bool is_consistent(const Corner_table& t, int vertices, int faces)
+{
+  std::vector<int> corners(vertices, 0);
+  for (int h = 0; h < 3 * faces; ++h) {
+    const int o = t.opposite(h);
+    if (o >= 3 * faces || t.opposite(o) != h || t.origin(o) != t.target(h) || t.target(o) != t.origin(h))
+      return false;
+    ++corners[t.origin(h)];
+  }
+  for (int v = 0; v < vertices; ++v) {
+    int ring = 0;
+    t.for_each_outgoing(t.outgoing(v), [&](int h) { ring += t.origin(h) == v; });
+    if (ring != corners[v] || ring != t.degree(v))
+      return false;
+  }
+  return true;
+}
+
+Collapse_hierarchy decimated(const Triangle_mesh& mesh, int minimum)
+{
+  Collapse_hierarchy h(mesh.points, mesh.triangles, std::vector<double>(mesh.points.size(), 1.), -1);
+  h.decimate<CGAL::Sequential_tag>(minimum, [](int) { return true; },
+                                   [](int, const std::vector<int>&, int) { return true; }, [](double) {});
+  return h;
+}
+
+} // namespace
+
+TEST_CASE("Undoing the collapses restores the surface, and every level is a closed surface", "[engine]")
+{
+  Random random(1);
+  const Triangle_mesh mesh = random_sphere(300, 1000, 0, random);
+  Collapse_hierarchy h = decimated(mesh, 4);
+  REQUIRE(h.number_of_active_vertices() == 4);
+  REQUIRE(h.number_of_active_faces() == 4);
+  double mass = 0;
+  for (int v = 0; v < 4; ++v)
+    mass += h.mass(v);
+  CHECK(mass == Approx(300));
+  while (h.level() < h.number_of_levels()) {
+    const int first = h.number_of_active_vertices();
+    h.refine([](int) {});
+    const int n = h.number_of_active_vertices();
+    REQUIRE(h.number_of_active_faces() == 2 * n - 4);
+    REQUIRE(is_consistent(h.table(), n, h.number_of_active_faces()));
+    for (int v = first; v < n; ++v) {
+      h.for_each_neighbour(v, [&](int w) { REQUIRE(w < first); }); // a level is an independent set
+      REQUIRE(h.table().origin(h.collapse_half_edge(v)) == v);
+    }
+  }
+  std::set<std::array<int, 3>> expected, found;
+  const auto canonical = [](std::array<int, 3> t) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    return t;
+  };
+  for (const auto& t : mesh.triangles)
+    expected.insert(canonical({h.number_of(t[0]), h.number_of(t[1]), h.number_of(t[2])}));
+  for (const auto& t : active_faces(h.table(), h.number_of_active_faces()))
+    found.insert(canonical(t));
+  CHECK(found == expected);
+  for (int v = 0; v < 300; ++v) {
+    CHECK(h.mass(v) == Approx(1));
+    CHECK(h.point(h.number_of(v)) == mesh.points[v]);
+  }
+}
+
+TEST_CASE("Levels stay independent of each other in every finer mesh", "[engine]")
+{
+  Random random(2);
+  Collapse_hierarchy h = decimated(random_torus(12, 15, 500, 0, random), 0);
+  REQUIRE(h.number_of_active_vertices() >= 7); // an irreducible torus
+  REQUIRE(h.number_of_active_vertices() <= 10);
+  std::vector<int> level(h.number_of_vertices(), 0);
+  for (int l = 1; l <= h.number_of_levels(); ++l)
+    for (int v = h.level_end(l - 1); v < h.level_end(l); ++v)
+      level[v] = l;
+  while (h.level() < h.number_of_levels()) {
+    h.refine([](int) {});
+    for (int v = h.level_end(0); v < h.number_of_active_vertices(); ++v)
+      h.for_each_neighbour(v, [&](int w) { REQUIRE(level[w] != level[v]); });
+  }
+}
+
+TEST_CASE("The cocycles of a torus sum to zero round every face and count its windings", "[engine]")
+{
+  const Triangle_mesh mesh = grid_torus(5, 7, 2);
+  const Corner_table t(35, mesh.triangles);
+  std::vector<Deck> deck(3 * mesh.triangles.size());
+  REQUIRE(torus_cocycles(t, 35, 70, deck));
+  for (int f = 0; f < 70; ++f) {
+    const Deck sum = deck[3 * f] * deck[3 * f + 1] * deck[3 * f + 2];
+    CHECK((sum.i == 0 && sum.j == 0));
+  }
+  for (int h = 0; h < 210; ++h)
+    CHECK((deck[h].i == -deck[t.opposite(h)].i && deck[h].j == -deck[t.opposite(h)].j));
+  // A basis of the cohomology: their cup product, the area of the torus in these coordinates, is +-1.
+  double area = 0;
+  for (int f = 0; f < 70; ++f) {
+    const Deck a = deck[3 * f], b = deck[3 * f + 1];
+    area += 0.5 * (a.i * b.j - a.j * b.i);
+  }
+  CHECK(std::abs(area) == Approx(1));
+
+  Random random(3);
+  const Triangle_mesh sphere = random_sphere(20, 50, 0, random);
+  const Corner_table s(20, sphere.triangles);
+  std::vector<Deck> none(3 * sphere.triangles.size());
+  CHECK_FALSE(torus_cocycles(s, 20, 36, none));
+}
+
+TEST_CASE("Cotangents are those of the triangle, and finite for none", "[engine]")
+{
+  const Vector3d a(0, 0, 0), b(2, 0, 0), c(0, 1, 0);
+  const auto q = quarter_cotangents(a, b, c, 0);
+  CHECK(4 * q[0] == Approx(0).margin(1e-14));
+  CHECK(4 * q[1] == Approx(2));
+  CHECK(4 * q[2] == Approx(0.5));
+  for (const auto& t : {quarter_cotangents(a, a, a, 1e-4), quarter_cotangents(a, b, Vector3d(1, 0, 0), 1e-4)})
+    for (double x : t)
+      CHECK(std::isfinite(x));
+  CHECK(4 * quarter_cotangents(a, a, a, 1e-4)[1] == Approx(1 / std::sqrt(3.)));
+}
+
+namespace {
+
+template <class Geometry>
+void check_derivatives(const Geometry& geometry, Star<typename Geometry::Point> star, const Map_options& options)
+{
+  const Distortion_energy energy(options);
+  const Quadratic_model m = geometry.model(star, energy);
+  const double h = 1e-4;
+  const auto E = [&](double x, double y) {
+    return star.energy(geometry, energy, geometry.moved(star, Vector2d(x, y)));
+  };
+  const double e = E(0, 0);
+  CHECK(m.g0 == Approx((E(h, 0) - E(-h, 0)) / (2 * h)).epsilon(1e-5));
+  CHECK(m.g1 == Approx((E(0, h) - E(0, -h)) / (2 * h)).epsilon(1e-5));
+  CHECK(m.h00 == Approx((E(h, 0) - 2 * e + E(-h, 0)) / (h * h)).epsilon(1e-3));
+  CHECK(m.h11 == Approx((E(0, h) - 2 * e + E(0, -h)) / (h * h)).epsilon(1e-3));
+  CHECK(m.h01 == Approx((E(h, h) - E(h, -h) - E(-h, h) + E(-h, -h)) / (4 * h * h)).epsilon(1e-3));
+}
+
+} // namespace
+
+TEST_CASE("Gradient and Hessian of the energies agree with finite differences", "[engine]")
+{
+  for (const Energy e : {Energy::SYMMETRIC_DIRICHLET, Energy::AMIPS}) {
+    Map_options options;
+    options.energy = e;
+    const double angles[5] = {0.1, 1.3, 2.9, 4.0, 5.2};
+    Star<Vector3d> sphere;
+    sphere.position = Vector3d(0.3, -0.5, 0.8).normalized();
+    Star<Vector2d> plane;
+    plane.position = Vector2d(0.01, 0.02);
+    const Vector3d s = sphere.position.unitOrthogonal(), t = sphere.position.cross(s);
+    for (int i = 0; i < 5; ++i) {
+      const auto on_sphere = [&](int k) {
+        return Vector3d((sphere.position + 0.5 * std::cos(angles[k]) * s + 0.3 * std::sin(angles[k]) * t).normalized());
+      };
+      const auto in_plane = [&](int k) { return Vector2d(0.3 * std::cos(angles[k]), 0.2 * std::sin(angles[k])); };
+      sphere.sectors.push_back({on_sphere(i), on_sphere((i + 1) % 5), 0.05, 0.1 + 0.02 * i, 0.3, 0.05});
+      plane.sectors.push_back({in_plane(i), in_plane((i + 1) % 5), 0.02, 0.1 + 0.02 * i, 0.3, 0.02});
+    }
+    check_derivatives(Spherical_geometry(0), sphere, options);
+    check_derivatives(Planar_geometry(0), plane, options);
+  }
+}
+
+TEST_CASE("The Newton step is that of the Hessian where it is definite, and descends where it is not", "[engine]")
+{
+  const Quadratic_model definite{1, 2, 4, 1, 3};
+  const Vector2d step = definite.newton_step(1, 0, 1);
+  CHECK(4 * step[0] + step[1] == Approx(-1));
+  CHECK(step[0] + 3 * step[1] == Approx(-2));
+  for (const Quadratic_model m : {Quadratic_model{1, 2, -4, 1, 3}, Quadratic_model{1, 2, -4, 1, -3},
+                                  Quadratic_model{1, 2, 1, 2, 4}}) {
+    const Vector2d d = m.newton_step(2, 1, 1);
+    CHECK(d[0] * m.g0 + d[1] * m.g1 < 0);
+  }
+}
+
+TEST_CASE("The kernel of a star is clipped from its half-planes", "[engine]")
+{
+  Star_kernel kernel;
+  kernel.reset(2);
+  kernel.clip({0, Vector2d(1, 0)});  // x > 0
+  kernel.clip({0, Vector2d(0, 1)});  // y > 0
+  kernel.clip({1, Vector2d(-1, -1)}); // x + y < 1
+  REQUIRE_FALSE(kernel.is_empty());
+  CHECK((kernel.centroid() - Vector2d(1 / 3., 1 / 3.)).norm() < 1e-15);
+  kernel.clip({-2, Vector2d(1, 1)}); // x + y > 2
+  CHECK(kernel.is_empty());
+
+  Interval_kernel interval(Vector2d(2, 0), 1);
+  interval.clip({1, Vector2d(-1, 0)}); // 2 s < 1
+  CHECK((interval.middle() - Vector2d(0.5, 0)).norm() < 1e-15);
+  interval.clip({-2, Vector2d(1, 0)});
+  CHECK(interval.is_empty());
+}
+
+TEST_CASE("A triangle with split sides falls into triangles of the same total area", "[engine]")
+{
+  const std::array<Vector2d, 3> corner = {Vector2d(0, 0), Vector2d(4, 0), Vector2d(1, 3)};
+  for (int mask = 0; mask < 8; ++mask) {
+    std::array<bool, 3> split;
+    std::array<Vector2d, 3> middle;
+    int count = 0;
+    for (int k = 0; k < 3; ++k) {
+      split[k] = mask >> k & 1;
+      count += split[k];
+      middle[k] = (corner[k] + corner[(k + 1) % 3]) / 2;
+    }
+    std::vector<std::array<Vector2d, 3>> pieces;
+    split_triangle(corner, split, middle, pieces);
+    CHECK(pieces.size() == static_cast<std::size_t>(count + 1));
+    double area = 0;
+    for (const auto& t : pieces) {
+      const double a = Planar_geometry::twice_area(t[0], t[1], t[2]);
+      CHECK(a > 0);
+      area += a;
+    }
+    CHECK(area == Approx(12));
+  }
+}
+
+TEST_CASE("Snapped coordinates lie on the grid of 2^-50", "[engine]")
+{
+  for (const double x : {0.1, 1 / 3., -1.7, 1e-20, 1.9999}) {
+    const double y = Planar_geometry::snapped(Vector2d(x, -x))[0];
+    CHECK(std::abs(y - x) <= std::ldexp(1., -51));
+    CHECK(std::ldexp(y, 50) == std::floor(std::ldexp(y, 50)));
+  }
+}

@@ -1,0 +1,279 @@
+// Certified maps of real and of random meshes. No uncertified Manifold_map can be built, so the certificate is
+// asserted through its parts, and the map by what it does.
+
+#include "catch.h"
+#include "meshes.h"
+#include "random_surfaces.h"
+
+#include <CGAL/Simple_manifolds/correspondence/distortion.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <map>
+
+namespace SM = CGAL::Simple_manifolds;
+using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+
+namespace {
+
+Mesh surface_mesh(const Triangle_mesh& t)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for (const auto& p : t.points)
+    v.push_back(mesh.add_vertex(Point_3(p[0], p[1], p[2])));
+  for (const auto& f : t.triangles)
+    REQUIRE(mesh.add_face(v[f[0]], v[f[1]], v[f[2]]) != Mesh::null_face());
+  return mesh;
+}
+
+Mesh read(const std::string& name)
+{
+  Mesh mesh;
+  REQUIRE(CGAL::IO::read_polygon_mesh(cgal_mesh(name), mesh));
+  return mesh;
+}
+
+// Same vertices, same geometry, all faces positive, and the round trip through the domain.
+template <class Map>
+void check_map(const Map& map, const Mesh& mesh)
+{
+  CHECK(map.certificate().is_valid());
+  CHECK(map.certificate().flipped + map.certificate().degenerate == 0);
+  CHECK(map.certificate().smallest_domain_area > 0);
+  REQUIRE(map.number_of_input_vertices() == num_vertices(mesh));
+  double input_area = 0, area = 0;
+  for (std::size_t f = 0; f < map.number_of_faces(); ++f) {
+    const auto& t = map.face(f);
+    area += (map.point(t[1]) - map.point(t[0])).cross(map.point(t[2]) - map.point(t[0])).norm();
+  }
+  std::size_t i = 0;
+  for (const auto v : vertices(mesh)) {
+    const Point_3& p = mesh.point(v);
+    CHECK(map.point(i++) == Eigen::Vector3d(p.x(), p.y(), p.z()));
+  }
+  const auto point = [&](Mesh::Halfedge_index h) {
+    const Point_3& p = mesh.point(target(h, mesh));
+    return Eigen::Vector3d(p.x(), p.y(), p.z());
+  };
+  for (const auto f : faces(mesh)) {
+    const auto first = halfedge(f, mesh);
+    const Eigen::Vector3d a = point(first);
+    Eigen::Vector3d normal(0, 0, 0);
+    for (auto h = next(first, mesh); next(h, mesh) != first; h = next(h, mesh))
+      normal += (point(h) - a).cross(point(next(h, mesh)) - a);
+    input_area += normal.norm();
+  }
+  CHECK(area == Approx(input_area).epsilon(1e-3)); // polygons may be a little warped
+  for (std::size_t f = 0; f < map.number_of_faces(); f += 1 + map.number_of_faces() / 50) {
+    const typename Map::Location here{static_cast<int>(f), Eigen::Vector3d(0.2, 0.3, 0.5)};
+    CHECK((map(map.to_domain(here)) - map.position(here)).norm() <= 1e-9 * map.diagonal());
+  }
+}
+
+void map_and_check(const Mesh& mesh)
+{
+  const SM::Any_map map = SM::map_to_canonical_surface(mesh);
+  std::visit([&](const auto& m) { check_map(m, mesh); }, map);
+}
+
+} // namespace
+
+TEST_CASE("Real meshes of genus 0, genus 1 and disks get certified maps", "[map]")
+{
+  const auto name = GENERATE(as<std::string>(),
+    "hand.off", "homer.off", "retinal.off", "cow.off", "bull.off", "camel.off", "tetrahedron.off", "cube.off",
+    "elk.off", "knot1.off", "rotor_small.off", "pipe.off",
+    "three_peaks.off", "nefertiti.off", "mannequin-devil.off", "lion-head.off");
+  CAPTURE(name);
+  map_and_check(read(name));
+}
+
+TEST_CASE("Distortion reaches what the method is known to reach", "[map]")
+{
+  // Mean symmetric Dirichlet energies, one percent above the reference figures of the method.
+  const std::map<std::string, double> bounds = {
+    {"hand.off", 1.158}, {"homer.off", 1.982}, {"camel.off", 4.182}, {"retinal.off", 1.320}};
+  for (const auto& [name, bound] : bounds) {
+    CAPTURE(name);
+    CHECK(SM::distortion(SM::map_to_sphere(read(name))).symmetric_dirichlet < bound);
+  }
+  CHECK(SM::distortion(SM::map_to_torus(read("knot1.off"))).symmetric_dirichlet < 1.056);
+  CHECK(SM::distortion(SM::map_to_torus(read("elk.off"))).symmetric_dirichlet < 2.318);
+  CHECK(SM::distortion(SM::map_to_plane(read("lion-head.off"))).symmetric_dirichlet < 1.746);
+}
+
+TEST_CASE("Random triangulations of the sphere get certified maps, whatever their geometry", "[map]")
+{
+  Random random(5);
+  for (int i = 0; i < 400; ++i) {
+    const int n = 4 + random.below(i % 10 == 0 ? 300 : 40);
+    CAPTURE(i, n);
+    map_and_check(surface_mesh(random_sphere(n, random.below(3 * n), i % 4, random)));
+  }
+}
+
+TEST_CASE("Random triangulations of the torus get certified maps", "[map]")
+{
+  Random random(6);
+  for (int i = 0; i < 300; ++i) {
+    const int n = 3 + random.below(6), m = 3 + random.below(i % 10 == 0 ? 60 : 8);
+    CAPTURE(i, n, m);
+    map_and_check(surface_mesh(random_torus(n, m, random.below(3 * n * m), i % 4, random)));
+  }
+}
+
+TEST_CASE("Random disks get certified maps", "[map]")
+{
+  Random random(7);
+  for (int i = 0; i < 400; ++i) {
+    const int n = 4 + random.below(i % 10 == 0 ? 200 : 30);
+    CAPTURE(i, n);
+    map_and_check(surface_mesh(without_star(random_sphere(n, random.below(3 * n), i % 4, random), random.below(n))));
+  }
+}
+
+TEST_CASE("Small, thin and twisted surfaces, and hubs, get certified maps", "[map]")
+{
+  map_and_check(surface_mesh(seven_vertex_torus()));
+  map_and_check(surface_mesh(grid_torus(3, 3, 0)));
+  map_and_check(surface_mesh(grid_torus(3, 400, 0)));
+  map_and_check(surface_mesh(grid_torus(400, 3, 1)));
+  map_and_check(surface_mesh(grid_torus(20, 30, 13)));
+  map_and_check(surface_mesh(bipyramid(3)));
+  map_and_check(surface_mesh(bipyramid(5000)));
+  map_and_check(surface_mesh(tube(600, 3)));
+  map_and_check(surface_mesh(tube(300, 8)));
+  map_and_check(surface_mesh(without_star(tube(300, 8), 2400)));        // a long bottle
+  map_and_check(surface_mesh(without_star(bipyramid(2000), 2000)));     // a fan
+  map_and_check(surface_mesh(without_star(bipyramid(4), 0)));
+  Triangle_mesh one;
+  one.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  one.triangles = {{0, 1, 2}};
+  map_and_check(surface_mesh(one));
+  one.points.emplace_back(1, 1, 0);
+  one.triangles.push_back({2, 1, 3});
+  map_and_check(surface_mesh(one));
+}
+
+TEST_CASE("Coordinates of any size are mapped alike", "[map]")
+{
+  const Mesh mesh = read("hand.off");
+  const auto reference = SM::map_to_sphere(mesh);
+  for (const double scale : {std::ldexp(1., -400), std::ldexp(1., 400)}) {
+    Mesh scaled(mesh);
+    for (const auto v : vertices(scaled)) {
+      const Point_3& p = mesh.point(v);
+      scaled.point(v) = Point_3(scale * p.x(), scale * p.y(), scale * p.z());
+    }
+    CHECK(SM::map_to_sphere(scaled).domain_points() == reference.domain_points());
+  }
+}
+
+TEST_CASE("A map is the same for any number of threads and for any run", "[map]")
+{
+  const Mesh mesh = read("armadillo.off");
+  const auto once = SM::map_to_sphere(mesh), again = SM::map_to_sphere(mesh);
+  CHECK(once.domain_points() == again.domain_points());
+  const auto parallel = SM::map_to_sphere<CGAL::Parallel_if_available_tag>(mesh);
+  CHECK(once.domain_points() == parallel.domain_points());
+  const Mesh torus = read("knot1.off");
+  CHECK(SM::map_to_torus(torus).domain_points()
+        == SM::map_to_torus<CGAL::Parallel_if_available_tag>(torus).domain_points());
+}
+
+TEST_CASE("Energy, lambda, area floor and effort do what they say", "[map]")
+{
+  namespace parameters = SM::parameters;
+  const Mesh mesh = read("homer.off");
+  const auto measure = [&](const auto& np) { return SM::distortion(SM::map_to_sphere(mesh, np)); };
+  const auto standard = measure(parameters::default_values());
+  const auto angles = measure(parameters::energy(SM::Energy::AMIPS).energy_lambda(0.1));
+  CHECK(angles.angle_mean < standard.angle_mean);
+  CHECK(angles.area_mean_abs_log10 > standard.area_mean_abs_log10);
+  CHECK(measure(parameters::effort(SM::Effort::QUALITY)).symmetric_dirichlet < standard.symmetric_dirichlet);
+  CHECK(measure(parameters::effort(SM::Effort::FAST)).symmetric_dirichlet > standard.symmetric_dirichlet);
+  const auto even = SM::map_to_sphere(mesh, parameters::area_floor(1.));
+  CHECK(even.certificate().smallest_domain_area > SM::map_to_sphere(mesh).certificate().smallest_domain_area);
+}
+
+TEST_CASE("Meshes of other topology are refused with their numbers", "[map]")
+{
+  const auto code = [](const Mesh& mesh, const auto& map) {
+    try {
+      map(mesh);
+    } catch (const SM::Topology_error& e) {
+      CHECK_THAT(e.what(), Catch::Matchers::ContainsSubstring("V - E + F"));
+      return e.code();
+    }
+    FAIL("no error");
+    return SM::Error_code::numeric_failure;
+  };
+  const auto any = [](const Mesh& m) { SM::map_to_canonical_surface(m); };
+  const auto sphere = [](const Mesh& m) { SM::map_to_sphere(m); };
+  const auto torus = [](const Mesh& m) { SM::map_to_torus(m); };
+  const auto plane = [](const Mesh& m) { SM::map_to_plane(m); };
+  CHECK(code(read("eight.off"), any) == SM::Error_code::wrong_genus);
+  CHECK(code(read("knot2.off"), any) == SM::Error_code::several_components);
+  CHECK(code(read("blade.off"), any) == SM::Error_code::several_border_loops);
+  CHECK(code(read("knot1.off"), sphere) == SM::Error_code::wrong_genus);
+  CHECK(code(read("nefertiti.off"), sphere) == SM::Error_code::not_closed);
+  CHECK(code(read("hand.off"), torus) == SM::Error_code::wrong_genus);
+  CHECK(code(read("hand.off"), plane) == SM::Error_code::no_border);
+}
+
+TEST_CASE("Domain points go into the caller's property map, of a polyhedron too", "[map]")
+{
+  CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>> polyhedron;
+  const Mesh mesh = read("hand.off");
+  CGAL::copy_face_graph(mesh, polyhedron);
+  using Vertex = boost::graph_traits<decltype(polyhedron)>::vertex_descriptor;
+  std::map<Vertex, Eigen::Vector3d> domain_points;
+  const auto map = SM::map_to_sphere(polyhedron, SM::parameters::domain_point_map(
+    boost::make_assoc_property_map(domain_points)));
+  REQUIRE(domain_points.size() == num_vertices(mesh));
+  std::size_t i = 0;
+  for (const auto v : vertices(polyhedron))
+    CHECK(domain_points.at(v) == map.domain_point(i++));
+}
+
+namespace {
+
+struct Counting_visitor : SM::Default_visitor {
+  int phases = 0, open = 0, steps = 0, cancel_at = -1;
+  double last = 0;
+  void start_phase(const char*) { ++phases; ++open; last = 0; }
+  void end_phase() { --open; }
+  void progress(double fraction)
+  {
+    CHECK(open == 1);
+    CHECK(fraction >= last);
+    CHECK(fraction <= 1 + 1e-12);
+    last = fraction;
+    if (++steps == cancel_at)
+      throw std::runtime_error("cancelled");
+  }
+};
+
+} // namespace
+
+TEST_CASE("The visitor sees the phases and can cancel", "[map]")
+{
+  const Mesh mesh = read("hand.off");
+  Counting_visitor visitor;
+  SM::map_to_sphere(mesh, CGAL::parameters::visitor(std::ref(visitor)));
+  CHECK(visitor.phases == 3);
+  CHECK(visitor.open == 0);
+  REQUIRE(visitor.steps > 20);
+  for (const int step : {1, visitor.steps / 2, visitor.steps}) {
+    Counting_visitor cancelling;
+    cancelling.cancel_at = step;
+    CHECK_THROWS_WITH(SM::map_to_sphere(mesh, CGAL::parameters::visitor(std::ref(cancelling))), "cancelled");
+  }
+}
