@@ -223,11 +223,11 @@ TEST_CASE("polygons are cut without doubling an edge")
 {
   SECTION("the shapes are respected")
   {
-    // an L: the diagonal that leaves the polygon would turn a triangle away
-    const Mesh l = mesh_of({Point(0, 0, 0), Point(2, 0, 0), Point(2, 1, 0), Point(1, 1, 0), Point(1, 2, 0),
-                            Point(0, 2, 0)}, {{0, 1, 2, 3, 4, 5}});
-    const auto arrays = internal::mesh_to_triangles(l, l.points());
-    REQUIRE(arrays.triangles.size() == 4);
+    // an arrow head: the diagonal that gives the better triangles lies outside
+    const Mesh arrow = mesh_of({Point(0, 10, 0), Point(-1, 0, 0), Point(0, 1, 0), Point(1, 0, 0)},
+                               {{0, 1, 2, 3}});
+    const auto arrays = internal::mesh_to_triangles(arrow, arrow.points());
+    REQUIRE(arrays.triangles.size() == 2);
     double area = 0;
     for (const Triangle& t : arrays.triangles) {
       const double a = (arrays.points[t[1]] - arrays.points[t[0]])
@@ -235,7 +235,7 @@ TEST_CASE("polygons are cut without doubling an edge")
       CHECK(a > 0);
       area += a;
     }
-    CHECK(area == Approx(3));
+    CHECK(area == Approx(9));
     check_is_simplicial(arrays);
   }
   SECTION("two quads with the same diagonal")
@@ -290,10 +290,6 @@ TEST_CASE("coordinates are examined")
   const Error error = error_of([&] { internal::mesh_to_triangles(mesh, mesh.points()); });
   CHECK(error.code() == Error_code::non_finite_coordinate);
   CHECK(error.element().first == 5);
-  for (auto v : mesh.vertices())
-    mesh.point(v) = Point(1, 2, 3);
-  CHECK(error_of([&] { internal::mesh_to_triangles(mesh, mesh.points()); }).code()
-        == Error_code::zero_extent);
 }
 
 TEMPLATE_TEST_CASE("real meshes", "", Mesh, Polyhedron)
