@@ -4,8 +4,8 @@
 #include "random_surfaces.h"
 
 #include <CGAL/Simple_manifolds/correspondence/internal/Collapse_hierarchy.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/Planar_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/Spherical_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/Square_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/Star_kernel.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/split_edges.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/torus_cocycles.h>
@@ -151,16 +151,36 @@ TEST_CASE("Cotangents are those of the triangle, and finite for none", "[engine]
 
 namespace {
 
-template <class Geometry>
-void check_derivatives(const Geometry& geometry, Star<typename Geometry::Point> star, const Map_options& options)
+// A star of five faces, closed or open, at points that circle(angle) gives.
+template <class Geometry, class Circle>
+void check_derivatives(const Geometry& geometry, const typename Geometry::Point& position, bool is_open,
+                       const Circle& circle, const Energy energy_kind)
 {
+  Map_options options;
+  options.energy = energy_kind;
   const Distortion_energy energy(options);
+  std::vector<typename Star<Geometry>::Table::Sector> sectors;
+  Star<Geometry> star;
+  star.position = position;
+  for (const double angle : {0.1, 1.3, 2.9, 4.0, 5.2, 0.1})
+    star.ring.push_back(circle(angle));
+  for (int i = 0; i < 5; ++i) {
+    sectors.push_back({0.1f, 0.1f + 0.02f * static_cast<float>(i), 0.3f, 0.05f});
+    star.fixed.push_back(0.1 * geometry.squared_length(star.ring[i + 1] - star.ring[i]));
+  }
+  if (is_open) {
+    star.ring.pop_back();
+    star.fixed.pop_back();
+  }
+  star.sectors = sectors.data();
+
   const Quadratic_model m = geometry.model(star, energy);
   const double h = 1e-4;
   const auto E = [&](double x, double y) {
     return star.energy(geometry, energy, geometry.moved(star, Vector2d(x, y)));
   };
   const double e = E(0, 0);
+  CHECK(m.value == Approx(e).epsilon(1e-12));
   CHECK(m.g0 == Approx((E(h, 0) - E(-h, 0)) / (2 * h)).epsilon(1e-5));
   CHECK(m.g1 == Approx((E(0, h) - E(0, -h)) / (2 * h)).epsilon(1e-5));
   CHECK(m.h00 == Approx((E(h, 0) - 2 * e + E(-h, 0)) / (h * h)).epsilon(1e-3));
@@ -172,36 +192,26 @@ void check_derivatives(const Geometry& geometry, Star<typename Geometry::Point> 
 
 TEST_CASE("Gradient and Hessian of the energies agree with finite differences", "[engine]")
 {
-  for (const Energy e : {Energy::SYMMETRIC_DIRICHLET, Energy::AMIPS}) {
-    Map_options options;
-    options.energy = e;
-    const double angles[5] = {0.1, 1.3, 2.9, 4.0, 5.2};
-    Star<Vector3d> sphere;
-    sphere.position = Vector3d(0.3, -0.5, 0.8).normalized();
-    Star<Vector2d> plane;
-    plane.position = Vector2d(0.01, 0.02);
-    const Vector3d s = sphere.position.unitOrthogonal(), t = sphere.position.cross(s);
-    for (int i = 0; i < 5; ++i) {
-      const auto on_sphere = [&](int k) {
-        return Vector3d((sphere.position + 0.5 * std::cos(angles[k]) * s + 0.3 * std::sin(angles[k]) * t).normalized());
-      };
-      const auto in_plane = [&](int k) { return Vector2d(0.3 * std::cos(angles[k]), 0.2 * std::sin(angles[k])); };
-      sphere.sectors.push_back({on_sphere(i), on_sphere((i + 1) % 5), 0.05, 0.1 + 0.02 * i, 0.3, 0.05});
-      plane.sectors.push_back({in_plane(i), in_plane((i + 1) % 5), 0.02, 0.1 + 0.02 * i, 0.3, 0.02});
+  const Vector3d p = Vector3d(0.3, -0.5, 0.8).normalized(), s = p.unitOrthogonal(), t = p.cross(s);
+  for (const Energy energy : {Energy::SYMMETRIC_DIRICHLET, Energy::AMIPS})
+    for (const bool is_open : {false, true}) {
+      check_derivatives(Spherical_geometry(0), p, is_open, [&](double angle) {
+        return Vector3d((p + 0.5 * std::cos(angle) * s + 0.3 * std::sin(angle) * t).normalized());
+      }, energy);
+      check_derivatives(Square_geometry({}, -1), Vector2d(0.01, 0.02), is_open, [&](double angle) {
+        return Vector2d(0.3 * std::cos(angle), 0.2 * std::sin(angle));
+      }, energy);
     }
-    check_derivatives(Spherical_geometry(0), sphere, options);
-    check_derivatives(Planar_geometry(0), plane, options);
-  }
 }
 
 TEST_CASE("The Newton step is that of the Hessian where it is definite, and descends where it is not", "[engine]")
 {
-  const Quadratic_model definite{1, 2, 4, 1, 3};
+  const Quadratic_model definite{0, 1, 2, 4, 1, 3};
   const Vector2d step = definite.newton_step(1, 0, 1);
   CHECK(4 * step[0] + step[1] == Approx(-1));
   CHECK(step[0] + 3 * step[1] == Approx(-2));
-  for (const Quadratic_model m : {Quadratic_model{1, 2, -4, 1, 3}, Quadratic_model{1, 2, -4, 1, -3},
-                                  Quadratic_model{1, 2, 1, 2, 4}}) {
+  for (const Quadratic_model m : {Quadratic_model{0, 1, 2, -4, 1, 3}, Quadratic_model{0, 1, 2, -4, 1, -3},
+                                  Quadratic_model{0, 1, 2, 1, 2, 4}}) {
     const Vector2d d = m.newton_step(2, 1, 1);
     CHECK(d[0] * m.g0 + d[1] * m.g1 < 0);
   }
@@ -243,7 +253,7 @@ TEST_CASE("A triangle with split sides falls into triangles of the same total ar
     CHECK(pieces.size() == static_cast<std::size_t>(count + 1));
     double area = 0;
     for (const auto& t : pieces) {
-      const double a = Planar_geometry::twice_area(t[0], t[1], t[2]);
+      const double a = Planar_geometry::cross(t[1] - t[0], t[2] - t[0]);
       CHECK(a > 0);
       area += a;
     }

@@ -77,10 +77,14 @@ public:
 
   /// Fits; may be called repeatedly, with equal results.
   /// \param visitor  derived from `Default_visitor`; phases "fit" and "measure"
+  /// \throw Geometry_error  `zero_extent`: all vertices coincide, so that errors have no unit
   /// \throw Numeric_error  a factorisation fails
   template <class Visitor>
   Surface fit(Visitor& visitor)
   {
+    if(!(map_.diagonal() > 0))
+      throw Geometry_error(Error_code::zero_extent, "all " + std::to_string(map_.number_of_vertices())
+                           + " vertices of the map coincide");
     const Clock::time_point start = Clock::now();
     report_ = Fit_report();
     report_.rms_tolerance = options_.rms_error;

@@ -39,6 +39,7 @@ namespace Simple_manifolds {
 ///   - `max_controls_per_side` (int, 67): limit of the refinement
 ///   - `fit_report` (`std::reference_wrapper<Fit_report>`): receives errors, counts and times
 ///   - `visitor` (derived from `Default_visitor`, by `std::ref`)
+/// \throw Geometry_error  `zero_extent`: all vertices coincide
 /// \throw Numeric_error  a factorisation fails
 template <class Map, class NamedParameters = parameters::Default_named_parameters>
 auto fit_surface(const Map& map, const NamedParameters& np = parameters::default_values())

@@ -135,7 +135,7 @@ std::vector<Eigen::Vector3d> points_of_mesh(const FaceListGraph& mesh, const Ver
 }
 
 // Throws Topology_error (see topology(), and unsupported_face) and Geometry_error
-// (non_finite_coordinate naming the vertex, zero_extent).
+// (non_finite_coordinate naming the vertex).
 template <class FaceListGraph, class VertexPointMap>
 Mesh_arrays mesh_to_triangles(const FaceListGraph& mesh, const VertexPointMap& vertex_point)
 {
@@ -157,11 +157,6 @@ Mesh_arrays mesh_to_triangles(const FaceListGraph& mesh, const VertexPointMap& v
                            + " has a coordinate that is not finite", Mesh_element::vertex(v));
     arrays.points.push_back(points[v]);
   }
-  if (std::all_of(arrays.points.begin(), arrays.points.end(),
-                  [&](const Eigen::Vector3d& p) { return p == arrays.points.front(); }))
-    throw Geometry_error(Error_code::zero_extent, "all " + std::to_string(arrays.points.size())
-                         + " vertices of the mesh coincide");
-
   if (soup.number_of_half_edges() == 3 * soup.number_of_faces()) {
     for (int f = 0; f < soup.number_of_faces(); ++f)
       arrays.triangles.push_back({soup.source(3 * f), soup.source(3 * f + 1), soup.source(3 * f + 2)});
