@@ -161,7 +161,7 @@ if(PART STREQUAL bad_input)
       "3;missing.off;does not exist" "3;empty.off;empty" "3;text.off;Dear" "3;text.ply;PLY" "3;text.stl;STL"
       "3;text.obj;OBJ" "3;mesh.xyz;extension" "3;folder.off;regular file" "3;truncated.off;line 9.*ends"
       "3;huge.off;1000000000 vertices" "3;index.off;face 0 refers to vertex 4"
-      "4;nan.off;vertex 1 of 4.*NaN" "4;point.off;4 vertices.*coincide" "4;cloud.off;no faces"
+      "4;nan.off;vertex 1 of 4.*NaN" "4;cloud.off;no faces"
       "4;edge.off;[(]0,1[)].*3 faces" "4;orientation.off;faces 0 and 1" "4;face.off;face 0"
       "4;two.off;2 components" "4;loops.off;2 border loops" "4;genus2.off;genus 2")
     list(GET row 0 status)
@@ -171,8 +171,11 @@ if(PART STREQUAL bad_input)
     run(${status} "${message}" ${FIT_MESH} ${in}/${name} -o ${WORK}/out/fit --samples 5)
     run(${status} "${message}" ${FIT_MESH} ${in}/${name} -o ${WORK}/existing)
   endforeach()
+  # A mesh without extent can be mapped, but there is no diagonal to measure a fit by.
+  run(4 "coincide" ${FIT_MESH} ${in}/point.off -o ${WORK}/out/fit)
   holds(out)
   holds(existing)
+  run(0 "" ${MAP_MESH} ${in}/point.off -o ${WORK}/point.ply --metrics ${WORK}/point.json)
 endif()
 
 # ---- Command lines that make no sense, or ask for what is not there yet -----------------------------

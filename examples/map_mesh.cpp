@@ -56,9 +56,8 @@ int main(int argc, char** argv)
       watch.time("write", [&] { SM::write_map(file, map); });
       if (metrics_file) write_metrics(*metrics_file, "map_mesh", metrics, watch);
       if (!is_quiet)
-        std::cout << summary(input, map) << "; angle " << shown(metrics["map"]["angle"].get<double>())
-                  << ", area " << shown(metrics["map"]["area"].get<double>()) << "; "
-                  << shown(watch.total()) << " s\n";
+        std::cout << summary(input, map) << "; angle " << shown(metrics["map"]["angle"]) << ", area "
+                  << shown(metrics["map"]["area"]) << "; " << shown(watch.total()) << " s\n";
       return SUCCESS;
     }, any_map);
   });

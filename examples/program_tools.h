@@ -225,13 +225,16 @@ inline void write_metrics(SM::Atomic_file& output, const char* program, Json met
   output.commit();
 }
 
-/// E.g. "1.23e-03".
+/// E.g. "0.00123".
 inline std::string shown(double x)
 {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", x);
   return text;
 }
+
+/// The same of a figure of the metrics, which may be none.
+inline std::string shown(const Json& x) { return x.is_number() ? shown(x.get<double>()) : "infinite"; }
 
 /// "hand.off: sphere, 1197 vertices, 2390 faces", for the line that says what was done.
 template <class Map>
