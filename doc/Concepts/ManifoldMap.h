@@ -40,6 +40,10 @@ public:
 
   std::size_t number_of_vertices() const;
   std::size_t number_of_faces() const;
+  /// Whether a face is no part of the mesh but closes one of its borders; nothing is fitted to it.
+  bool is_virtual(std::size_t f) const;
+  /// Whether all faces of a vertex are virtual.
+  bool is_virtual_vertex(std::size_t v) const;
 
   /// The position in space of vertex `v`.
   const Eigen::Vector3d& point(std::size_t v) const;

@@ -124,6 +124,40 @@ inline Map_arrays<SM::Plane_atlas> square_grid(int n, int m, double width = 1, d
   return map;
 }
 
+/// A fan of n faces round one vertex of the square; in space the square itself.
+inline Map_arrays<SM::Plane_atlas> square_fan(int n, const Eigen::Vector2d& centre)
+{
+  Map_arrays<SM::Plane_atlas> map;
+  map.domain_points.push_back(centre);
+  for (int i = 0; i < n; ++i) { // n is a multiple of 4: the corners are vertices
+    const double t = 4. * i / n;
+    map.domain_points.push_back(t < 1   ? Eigen::Vector2d(t, 0)
+                                : t < 2 ? Eigen::Vector2d(1, t - 1)
+                                : t < 3 ? Eigen::Vector2d(3 - t, 1)
+                                        : Eigen::Vector2d(0, 4 - t));
+    map.faces.push_back({0, 1 + i, 1 + (i + 1) % n});
+  }
+  for (const auto& p : map.domain_points)
+    map.points.emplace_back(p.x(), p.y(), 0);
+  return map;
+}
+
+/// Two poles over a ring of n vertices on the equator.
+inline Map_arrays<SM::Sphere_atlas> sphere_bipyramid(int n)
+{
+  const double pi = 3.14159265358979323846;
+  Map_arrays<SM::Sphere_atlas> map;
+  for (int i = 0; i < n; ++i) {
+    map.domain_points.emplace_back(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0);
+    map.faces.push_back({i, (i + 1) % n, n});
+    map.faces.push_back({(i + 1) % n, i, n + 1});
+  }
+  map.domain_points.emplace_back(0, 0, 1);
+  map.domain_points.emplace_back(0, 0, -1);
+  map.points = map.domain_points;
+  return map;
+}
+
 /// Random domain points with the same sequence everywhere.
 class Random_points {
 public:

@@ -3,10 +3,12 @@
 #include "catch.h"
 #include "random_surfaces.h"
 
+#include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/Collapse_hierarchy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/Spherical_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/Square_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/Star_kernel.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/embed.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/split_edges.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/torus_cocycles.h>
 
@@ -46,9 +48,10 @@ bool is_consistent(const Corner_table& t, int vertices, int faces)
 
 Collapse_hierarchy decimated(const Triangle_mesh& mesh, int minimum)
 {
-  Collapse_hierarchy h(mesh.points, mesh.triangles, std::vector<double>(mesh.points.size(), 1.), -1);
+  Collapse_hierarchy h(mesh.points, mesh.triangles, std::vector<float>(mesh.triangles.size(), 1.f), -1);
   h.decimate<CGAL::Sequential_tag>(minimum, [](int) { return true; },
-                                   [](int, const std::vector<int>&, int) { return true; }, [](double) {});
+                                   [](int, const std::vector<int>&, int) { return true; },
+                                   [](int) { return 1.f; }, [](double) {});
   return h;
 }
 
@@ -64,7 +67,7 @@ TEST_CASE("Undoing the collapses restores the surface, and every level is a clos
   double mass = 0;
   for (int v = 0; v < 4; ++v)
     mass += h.mass(v);
-  CHECK(mass == Approx(300));
+  CHECK(mass == Approx(596)); // the faces of the sphere
   while (h.level() < h.number_of_levels()) {
     const int first = h.number_of_active_vertices();
     h.refine([](int) {});
@@ -87,7 +90,7 @@ TEST_CASE("Undoing the collapses restores the surface, and every level is a clos
     found.insert(canonical(t));
   CHECK(found == expected);
   for (int v = 0; v < 300; ++v) {
-    CHECK(h.mass(v) == Approx(1));
+    CHECK(h.mass(v) == Approx(h.table().degree(v) / 3.));
     CHECK(h.point(h.number_of(v)) == mesh.points[v]);
   }
 }
@@ -258,6 +261,45 @@ TEST_CASE("A triangle with split sides falls into triangles of the same total ar
       area += a;
     }
     CHECK(area == Approx(12));
+  }
+}
+
+TEST_CASE("Target areas sum to the area of the domain and follow the weights", "[engine]")
+{
+  const std::vector<Vector3d> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 2, 0}, {5, 5, 5}};
+  const std::vector<Triangle> triangles = {{0, 1, 2}, {1, 3, 2}, {0, 0, 1}, {0, 1, 4}};
+  const auto plain = target_areas(points, triangles, 4, {}, 0.1, 12);
+  CHECK(plain[0] + plain[1] + plain[2] == Approx(12));
+  CHECK(plain[3] == 0); // at the apex
+  CHECK(plain[2] == Approx(0.1 * 12 / 3));
+  CHECK(plain[1] - plain[2] == Approx(3 * (plain[0] - plain[2])));
+  const auto weighted = target_areas(points, triangles, 4, {1, 1, 1, 4, 1}, 1e-9, 12);
+  CHECK(weighted[1] / weighted[0] == Approx(2 * 3)); // mean weights 2 and 1, areas 1.5 and 0.5
+  const std::vector<Vector3d> flat(5, Vector3d(0, 0, 0));
+  CHECK(target_areas(flat, triangles, 4, {}, 0.1, 12)[0] == Approx(4));
+}
+
+TEST_CASE("When a result is rejected, the map is begun anew with better conditioned targets", "[engine]")
+{
+  Random random(4);
+  const Triangle_mesh mesh = random_sphere(60, 100, 0, random);
+  Default_visitor visitor;
+  for (int rejected = 0; rejected <= 3; ++rejected) {
+    Embedding_problem<Vector3d> problem{mesh.points, mesh.triangles};
+    problem.rejected_attempts = rejected;
+    std::vector<Vector3d> result;
+    const bool embedded = embed<CGAL::Sequential_tag>(
+      problem, Map_options(), [](const std::vector<int>&) { return Spherical_geometry(60); },
+      [&](const Collapse_hierarchy&, const Spherical_geometry& g, const auto& number) {
+        for (int v = 0; v < 60; ++v)
+          result.push_back(g.position(number(v)));
+        return true;
+      },
+      visitor);
+    CHECK(embedded == (rejected < 3));
+    for (const auto& t : mesh.triangles)
+      if (embedded)
+        CHECK(result[t[0]].dot(result[t[1]].cross(result[t[2]])) > 0);
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <thread>
@@ -94,6 +96,73 @@ TEST_CASE("squares: every point is found and goes back to itself")
   for (auto& p : crowded.domain_points)
     p = Eigen::Vector2d(std::pow(p.x(), 4), std::pow(p.y(), 6));
   check_map(crowded);
+}
+
+namespace {
+
+// The tree must find the faces quickly whatever their shape: by the number of faces that a search tries.
+template <class Atlas>
+void check_search(const sample::Map_arrays<Atlas>& m)
+{
+  const internal::Face_tree<Atlas> tree(m.domain_points, m.faces);
+  CHECK(static_cast<double>(tree.bytes()) < 48. * static_cast<double>(m.faces.size()));
+  sample::Random_points random;
+  long tried = 0, most = 0;
+  const int n = 2000;
+  for (int i = 0; i < n; ++i) {
+    const auto x = random.point(Atlas());
+    long count = 0;
+    CHECK(tree.find(x, [&](int f) {
+      ++count;
+      const internal::Face_sheet<Atlas> sheet(Atlas(), m.domain_points, m.faces[f], x);
+      return sheet.side(0) >= 0 && sheet.side(1) >= 0 && sheet.side(2) >= 0;
+    }));
+    tried += count;
+    most = std::max(most, count);
+  }
+  CHECK(tried < 8 * n);
+  CHECK(most < 60);
+  check_map(m);
+}
+
+template <class Map_arrays>
+Map_arrays sheared(Map_arrays m, double a, double b)
+{
+  for (auto& p : m.domain_points)
+    p = Torus_atlas().canonical({p.x() + a * p.y(), p.y() + b * std::sin(6.283185307179586 * p.y())});
+  return m;
+}
+
+} // namespace
+
+TEST_CASE("thin faces and hubs: every point is found after few attempts")
+{
+  check_search(sample::torus_grid(16000, 4, {0.1, 0.2}));
+  check_search(sample::torus_grid(4, 16000, {0.1, 0.2}));
+  check_search(sheared(sample::torus_grid(16000, 5, {0.1, 0.2}), 2, 0)); // slivers across the axes
+  check_search(sheared(sample::torus_grid(4000, 20, {0.3, 0.7}), 1, 0.1));
+  check_search(sample::square_fan(20000, {0.37, 0.61}));
+  check_search(sample::square_fan(4000, {1e-9, 1 - 1e-7})); // the centre almost in a corner
+  check_search(sample::sphere_bipyramid(20000));
+  Eigen::Matrix3d linear;
+  linear << 3000, 1, 0.2, 0, 1, .5, .3, 0, .07; // slivers almost half round the sphere
+  check_search(sample::stretched(sample::subdivided(sample::octahedron(), 6), linear));
+}
+
+TEST_CASE("tiny faces: every point is found")
+{
+  auto crowded = sample::square_grid(60, 60); // cells from 1e-14 on
+  for (auto& p : crowded.domain_points)
+    p = Eigen::Vector2d(std::pow(p.x(), 8), 1 - std::pow(1 - p.y(), 5));
+  check_search(crowded);
+  auto wave = sample::torus_grid(100, 100); // the cells near u = 0 are 1e-8 times the others
+  for (auto& p : wave.domain_points)
+    p.x() = p.x() < 0.5 ? 8 * std::pow(p.x(), 4) : 1 - 8 * std::pow(1 - p.x(), 4);
+  check_search(wave);
+  auto belt = sample::subdivided(sample::octahedron(), 6);
+  for (auto& p : belt.domain_points) // all vertices but the poles within 1e-7 of a great circle
+    p = Eigen::Vector3d(p.x(), p.y(), 1e-9 * p.z()).normalized();
+  check_search(belt);
 }
 
 TEST_CASE("points of an edge lie in one of its two faces, on the edge")

@@ -243,6 +243,138 @@ TEST_CASE("Domain points go into the caller's property map, of a polyhedron too"
     CHECK(domain_points.at(v) == map.domain_point(i++));
 }
 
+TEST_CASE("Borders are closed virtually on demand: holes of a disk, and all of a nearly closed mesh", "[map]")
+{
+  namespace parameters = SM::parameters;
+  const Mesh blade = read("blade.off"); // two border loops
+  const auto disk = SM::map_to_plane(blade, parameters::close_borders(SM::Close_borders::INNER));
+  CHECK(disk.certificate().is_valid());
+  CHECK(disk.number_of_input_vertices() == num_vertices(blade));
+  CHECK(disk.number_of_virtual_faces() > 2);
+  CHECK(disk.number_of_faces() >= num_faces(blade) + disk.number_of_virtual_faces());
+  CHECK_FALSE(disk.is_virtual(0));
+  CHECK(disk.is_virtual(disk.number_of_faces() - 1));
+
+  Random random(8);
+  const Triangle_mesh whole = random_sphere(200, 300, 0, random);
+  const Mesh open = surface_mesh(without_star(whole, 17));
+  CHECK_THROWS_AS(SM::map_to_sphere(open), SM::Topology_error);
+  const auto sphere = SM::map_to_sphere(open, parameters::close_borders(SM::Close_borders::ALL));
+  CHECK(sphere.number_of_vertices() == 200);
+  CHECK(sphere.number_of_input_vertices() == 199);
+  CHECK(sphere.number_of_virtual_faces() == 396 - num_faces(open));
+  CHECK(sphere.is_virtual_vertex(199));
+  CHECK_FALSE(sphere.is_virtual_vertex(0));
+
+  for (const int n : {4, 12}) { // a torus whose long edges are split as well
+    const Mesh ring = surface_mesh(without_star(grid_torus(n, 4, 0), 3));
+    const auto torus = SM::map_to_torus(ring, parameters::close_borders(SM::Close_borders::ALL));
+    CHECK(torus.certificate().is_valid());
+    std::set<std::size_t> virtual_vertices;
+    for (std::size_t f = 0; f < torus.number_of_faces(); ++f)
+      for (const int v : torus.face(f))
+        if (torus.is_virtual_vertex(v)) {
+          CHECK(torus.is_virtual(f));
+          virtual_vertices.insert(v);
+        }
+    CHECK(virtual_vertices.count(num_vertices(ring)) == 1);
+  }
+}
+
+TEST_CASE("Weights give parts of the mesh more room", "[map]")
+{
+  const Mesh mesh = read("hand.off");
+  std::map<Mesh::Vertex_index, double> weight;
+  for (const auto v : vertices(mesh))
+    weight[v] = v.idx() < 300 ? 20. : 1.;
+  const auto map = SM::map_to_sphere(mesh, SM::parameters::vertex_weight_map(
+    boost::make_assoc_property_map(weight)));
+  const auto plain = SM::map_to_sphere(mesh);
+  const auto share = [&](const auto& m) {
+    double area = 0;
+    for (std::size_t f = 0; f < m.number_of_faces(); ++f)
+      if (m.face(f)[0] < 300 && m.face(f)[1] < 300 && m.face(f)[2] < 300)
+        area += m.domain_point(m.face(f)[0]).dot(m.domain_point(m.face(f)[1]).cross(m.domain_point(m.face(f)[2])));
+    return area;
+  };
+  CHECK(share(map) > 2 * share(plain));
+}
+
+TEST_CASE("Landmarks are drawn to their targets, on every domain", "[map]")
+{
+  namespace parameters = SM::parameters;
+  {
+    const Mesh mesh = read("hand.off");
+    using Landmark = SM::Landmark<Mesh::Vertex_index, Eigen::Vector3d>;
+    const std::vector<Landmark> landmarks = {
+      {Mesh::Vertex_index(10), Eigen::Vector3d(0, 0, 1)}, {Mesh::Vertex_index(500), Eigen::Vector3d(1, 0, 0)},
+      {Mesh::Vertex_index(900), Eigen::Vector3d(0, 1, 0)}};
+    const auto map = SM::map_to_sphere(mesh, parameters::landmarks(landmarks));
+    for (const Landmark& l : landmarks)
+      CHECK((map.domain_point(l.vertex) - l.point).norm() < 0.2);
+  }
+  {
+    const Mesh mesh = read("knot1.off");
+    using Landmark = SM::Landmark<Mesh::Vertex_index, Eigen::Vector2d>;
+    const std::vector<Landmark> landmarks = {{Mesh::Vertex_index(7), Eigen::Vector2d(0.25, 0.75)}};
+    const auto map = SM::map_to_torus(mesh, parameters::landmarks(landmarks));
+    CHECK((map.domain_point(7) - landmarks[0].point).norm() < 0.02);
+  }
+  {
+    const Mesh mesh = read("nefertiti.off");
+    using Landmark = SM::Landmark<Mesh::Vertex_index, Eigen::Vector2d>;
+    const auto plain = SM::map_to_plane(mesh);
+    Mesh::Vertex_index inner(0);
+    for (const auto v : vertices(mesh))
+      if ((plain.domain_point(v) - Eigen::Vector2d(0.5, 0.5)).norm()
+          < (plain.domain_point(inner) - Eigen::Vector2d(0.5, 0.5)).norm())
+        inner = v;
+    const std::vector<Landmark> landmarks = {{inner, Eigen::Vector2d(0.3, 0.6)}};
+    const auto map = SM::map_to_plane(mesh, parameters::landmarks(landmarks));
+    CHECK((map.domain_point(inner) - landmarks[0].point).norm() < 0.1);
+  }
+}
+
+TEST_CASE("Corners of the square are those that the user gives, or those of the border", "[map]")
+{
+  const Mesh mesh = read("nefertiti.off");
+  std::vector<Mesh::Vertex_index> border;
+  for (const auto h : halfedges(mesh))
+    if (is_border(h, mesh)) {
+      auto g = h;
+      do {
+        border.push_back(target(g, mesh));
+        g = next(g, mesh);
+      } while (g != h);
+      break;
+    }
+  std::reverse(border.begin(), border.end()); // border half-edges run clockwise round the disk
+  const std::size_t n = border.size();
+  const std::vector<Mesh::Vertex_index> corners = {border[n - 2], border[5], border[n / 2], border[n / 2 + 3]};
+  const auto map = SM::map_to_plane(mesh, SM::parameters::corners(corners));
+  CHECK(map.domain_point(corners[0]) == Eigen::Vector2d(0, 0));
+  CHECK(map.domain_point(corners[1]) == Eigen::Vector2d(1, 0));
+  CHECK(map.domain_point(corners[2]) == Eigen::Vector2d(1, 1));
+  CHECK(map.domain_point(corners[3]) == Eigen::Vector2d(0, 1));
+
+  // A rectangle of 8 x 5 cells, jagged inside: its own corners are found.
+  Triangle_mesh grid;
+  for (int j = 0; j <= 5; ++j)
+    for (int i = 0; i <= 8; ++i)
+      grid.points.emplace_back(i, 1.5 * j, 0);
+  for (int j = 0; j < 5; ++j)
+    for (int i = 0; i < 8; ++i) {
+      const int a = 9 * j + i;
+      grid.triangles.push_back({a, a + 1, a + 10});
+      grid.triangles.push_back({a, a + 10, a + 9});
+    }
+  const auto square = SM::map_to_plane(surface_mesh(grid));
+  for (const int v : {0, 8, 45, 53}) {
+    const Eigen::Vector2d p = square.domain_point(v);
+    CHECK(((p.x() == 0 || p.x() == 1) && (p.y() == 0 || p.y() == 1)));
+  }
+}
+
 namespace {
 
 struct Counting_visitor : SM::Default_visitor {

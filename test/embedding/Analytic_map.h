@@ -58,6 +58,8 @@ public:
   Atlas atlas() const { return Atlas(); }
   std::size_t number_of_vertices() const { return points_.size(); }
   std::size_t number_of_faces() const { return faces_.size(); }
+  bool is_virtual(std::size_t) const { return false; }
+  bool is_virtual_vertex(std::size_t) const { return false; }
   const Domain_point& domain_point(std::size_t v) const { return points_[v]; }
   Eigen::Vector3d point(std::size_t v) const { return f_(points_[v]); }
   double diagonal() const { return diagonal_; }

@@ -19,6 +19,10 @@
   X(energy_lambda)       /* double: weight of area against angle in Energy::AMIPS */                 \
   X(area_floor)          /* double in (0,1]: share of uniform area in the target areas */            \
   X(effort)              /* Effort: how long a map is relaxed */                                     \
+  X(vertex_weight_map)   /* ReadablePropertyMap vertex -> double: relative area in the domain */     \
+  X(corners)             /* Range of 4 vertex_descriptor: the corners of the square */               \
+  X(landmarks)           /* Range of Landmark: soft targets of vertices */                           \
+  X(close_borders)       /* Close_borders: which border loops are closed virtually */                \
   X(domain_point_map)    /* WritablePropertyMap vertex -> domain point */                            \
   X(max_error)           /* double: largest |E - M| allowed, fraction of the diagonal */             \
   X(rms_error)           /* double: largest root mean square of |E - M|, fraction of the diagonal */ \

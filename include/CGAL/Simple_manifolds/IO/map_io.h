@@ -73,7 +73,15 @@ Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
     if (mesh.last(f) != h + 2) ply.fail("face " + std::to_string(f) + " of the map is no triangle");
     faces.push_back({mesh.source(h), mesh.source(h + 1), mesh.source(h + 2)});
   }
-  return Manifold_map<Atlas>(std::move(mesh.points), std::move(faces), std::move(domain_points), inputs);
+  std::size_t virtual_faces = 0;
+  if (const std::string text = value_of_comment(ply, "virtual_faces"); !text.empty()) {
+    const long long n = Text_scanner(file, text, false).integer(text, "the number of virtual_faces");
+    if (n < 0 || std::size_t(n) > faces.size())
+      ply.fail("virtual_faces is " + text + ", but there are " + std::to_string(faces.size()) + " faces");
+    virtual_faces = std::size_t(n);
+  }
+  return Manifold_map<Atlas>(std::move(mesh.points), std::move(faces), std::move(domain_points), inputs,
+                             virtual_faces);
 }
 
 } // namespace internal
@@ -82,8 +90,8 @@ Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
 ///
 /// Writes a map as a PLY file: per vertex the position `x y z` and the domain point `domain_x domain_y
 /// domain_z` (sphere) or `domain_u domain_v` (torus, plane), all as doubles; per face the vertices and
-/// `chart`, a chart that contains the face, or -1. The comments name the atlas and the number of input
-/// vertices, which come first. What is read back is the same to the last bit, and so is its certificate.
+/// `chart`, a chart that contains the face, or -1. The comments name the atlas, the number of input
+/// vertices, which come first, and of virtual faces, which come last. What is read back is the same to the last bit, and so is its certificate.
 ///
 /// \param np  `use_binary_mode` (default: true; false writes text)
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
@@ -100,6 +108,8 @@ void write_map(const std::string& file, const Manifold_map<Atlas>& map,
   ply.header("comment simple_manifolds map");
   ply.header(std::string("comment atlas ") + Atlas::name);
   ply.header("comment input_vertices " + std::to_string(map.number_of_input_vertices()));
+  if (map.number_of_virtual_faces() > 0)
+    ply.header("comment virtual_faces " + std::to_string(map.number_of_virtual_faces()));
   ply.header("element vertex " + std::to_string(map.number_of_vertices()));
   for (const char* name : {"x", "y", "z"}) ply.header(std::string("property double ") + name);
   for (const std::string& name : internal::domain_properties<Atlas>()) ply.header("property double " + name);

@@ -20,6 +20,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -56,15 +57,20 @@ public:
   /// \param points  the vertices in space
   /// \param faces  positions in `points`, counterclockwise; positive in the domain
   /// \param domain_points  one per vertex: unit vectors, in [0,1)^2 (torus), in [0,1]^2 (plane)
-  /// \param number_of_input_vertices  the vertices from here on were added on the edges of an input mesh
-  /// \pre `points.size() == domain_points.size()`, `number_of_input_vertices <= points.size()`
+  /// \param number_of_input_vertices  the vertices from here on were added: on edges of an input mesh, or to close
+  ///   its borders
+  /// \param number_of_virtual_faces  the last faces close borders of an input mesh, see `Close_borders`
+  /// \pre `points.size() == domain_points.size()`, `number_of_input_vertices <= points.size()`,
+  ///   `number_of_virtual_faces <= faces.size()`
   /// \throw Topology_error  when the mesh is no surface of the domain's genus and border
   /// \throw Geometry_error  `non_finite_coordinate` for a vertex in space
   /// \throw Numeric_error  `map_not_bijective`, with the sentence of the certificate and the first bad face
   Manifold_map(std::vector<Eigen::Vector3d> points, std::vector<Triangle> faces,
-               std::vector<Domain_point> domain_points, std::size_t number_of_input_vertices)
+               std::vector<Domain_point> domain_points, std::size_t number_of_input_vertices,
+               std::size_t number_of_virtual_faces = 0)
     : points_(std::move(points)), faces_(std::move(faces)), domain_points_(std::move(domain_points)),
-      number_of_input_vertices_(number_of_input_vertices), locator_(certified_locator())
+      number_of_input_vertices_(number_of_input_vertices), number_of_virtual_faces_(number_of_virtual_faces),
+      locator_(certified_locator())
   {
     measure();
   }
@@ -75,6 +81,17 @@ public:
   std::size_t number_of_vertices() const { return points_.size(); }
   std::size_t number_of_faces() const { return faces_.size(); }
   std::size_t number_of_input_vertices() const { return number_of_input_vertices_; }
+  /// The number of faces that close borders; they come last.
+  std::size_t number_of_virtual_faces() const { return number_of_virtual_faces_; }
+  /// Whether the face closes a border and is no part of the mesh, see `Close_borders`.
+  /// \pre `f < number_of_faces()`
+  bool is_virtual(std::size_t f) const { return f + number_of_virtual_faces_ >= faces_.size(); }
+  /// Whether all faces of the vertex are virtual.
+  /// \pre `v < number_of_vertices()`
+  bool is_virtual_vertex(std::size_t v) const
+  {
+    return std::binary_search(virtual_vertices_.begin(), virtual_vertices_.end(), static_cast<int>(v));
+  }
 
   /// \pre `v < number_of_vertices()`
   const Eigen::Vector3d& point(std::size_t v) const { return points_[v]; }
@@ -172,6 +189,7 @@ private:
   {
     CGAL_precondition(points_.size() == domain_points_.size());
     CGAL_precondition(number_of_input_vertices_ <= points_.size());
+    CGAL_precondition(number_of_virtual_faces_ <= faces_.size());
     std::vector<int> opposite;
     const internal::Triangle_soup soup(static_cast<int>(points_.size()), faces_);
     const Mesh_topology topology = internal::topology_of_soup(soup, opposite);
@@ -202,6 +220,15 @@ private:
         if (v < static_cast<int>(number_of_input_vertices_))
           box.extend(points_[v]);
       volume += (points_[t[0]] - origin).dot((points_[t[1]] - origin).cross(points_[t[2]] - origin));
+    }
+    if (number_of_virtual_faces_ > 0) {
+      std::vector<char> is_real(points_.size(), false);
+      for (std::size_t f = 0; f + number_of_virtual_faces_ < faces_.size(); ++f)
+        for (int v : faces_[f])
+          is_real[v] = true;
+      for (std::size_t v = 0; v < is_real.size(); ++v)
+        if (!is_real[v])
+          virtual_vertices_.push_back(static_cast<int>(v));
     }
     diagonal_ = box.isEmpty() ? 0. : box.diagonal().norm();
     is_inward_oriented_ = Atlas::is_closed && volume < 0;
@@ -243,9 +270,10 @@ private:
   std::vector<Eigen::Vector3d> points_;
   std::vector<Triangle> faces_;
   std::vector<Domain_point> domain_points_;
-  std::size_t number_of_input_vertices_;
+  std::size_t number_of_input_vertices_, number_of_virtual_faces_;
   Certificate certificate_;
   internal::Point_locator<Atlas> locator_; // after the members that it is made from
+  std::vector<int> virtual_vertices_; // sorted
   double diagonal_ = 0;
   bool is_inward_oriented_ = false;
 };

@@ -37,6 +37,27 @@ enum class Effort {
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
 ///
+/// Which border loops of an open mesh are closed virtually, by a cone over each. The faces of the cones are faces of
+/// the map that `Manifold_map::is_virtual()` tells from the others; surfaces are never fitted to them.
+enum class Close_borders {
+  NONE,  ///< none
+  INNER, ///< all but the longest: a disk with holes becomes a disk
+  ALL    ///< all: a nearly closed mesh becomes a closed one
+};
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// A soft target for a vertex: the map is drawn towards one with `vertex` at `point`, and remains one to one.
+/// On the sphere the map is rotated and on the torus translated to suit the landmarks, too.
+template <class VertexDescriptor, class DomainPoint>
+struct Landmark {
+  VertexDescriptor vertex;
+  DomainPoint point; ///< of the canonical surface
+  double weight = 1; ///< >= 0; 1 counts a squared distance like ten times the distortion of the whole map
+};
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
 /// The numbers that steer a map, with their named parameters in parentheses.
 struct Map_options {
   Energy energy = Energy::SYMMETRIC_DIRICHLET; ///< (`energy`)

@@ -195,18 +195,10 @@ Certificate certify_surface(const Atlas& atlas, const std::vector<typename Atlas
   certificate.border_ok = true;
   if constexpr (!Atlas::is_closed) {
     const Triangle_soup soup(static_cast<int>(points.size()), faces);
-    const auto begin = std::find(opposite.begin(), opposite.end(), -1);
-    std::vector<int> loop;
-    if (begin != opposite.end() && topology.border_loops == 1) {
-      const int first = static_cast<int>(begin - opposite.begin());
-      int h = first;
-      do {
-        loop.push_back(soup.source(h));
-        h = next_on_border(soup, opposite, h);
-      } while (h != first);
-      certificate.border_message = border_fault(points, loop);
-    }
-    certificate.border_ok = !loop.empty() && certificate.border_message.empty();
+    const auto loops = border_loops(soup, opposite);
+    if (loops.size() == 1)
+      certificate.border_message = border_fault(points, loops[0]);
+    certificate.border_ok = loops.size() == 1 && certificate.border_message.empty();
   }
   return certificate;
 }

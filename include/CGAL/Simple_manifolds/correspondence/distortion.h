@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_DISTORTION_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_DISTORTION_H
 
+#include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/domain_geometry.h>
@@ -232,12 +233,13 @@ Distortion distortion(const Atlas& atlas, const std::vector<Eigen::Vector3d>& po
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
 ///
-/// The distortion of a map.
-/// \tparam Map  `Manifold_map`, or any class with its members `atlas`, `points`, `domain_points`, `faces`
-template <class Map>
-Distortion distortion(const Map& map)
+/// The distortion of a map, without its virtual faces.
+template <class Atlas>
+Distortion distortion(const Manifold_map<Atlas>& map)
 {
-  return distortion(map.atlas(), map.points(), map.domain_points(), map.faces());
+  std::vector<Triangle> faces = map.faces();
+  faces.resize(faces.size() - map.number_of_virtual_faces());
+  return distortion(map.atlas(), map.points(), map.domain_points(), faces);
 }
 
 /// \ingroup PkgSimpleManifoldsCorrespondence

@@ -29,8 +29,8 @@ using Any_map = std::variant<Manifold_map<Plane_atlas>, Manifold_map<Sphere_atla
 /// Maps a mesh to the canonical surface of its genus: a disk to the square, a closed mesh of genus 0 to the
 /// sphere, of genus 1 to the flat torus.
 ///
-/// The named parameters, errors and guarantees are those of `map_to_sphere()`, but for `domain_point_map`, whose
-/// type would depend on the genus.
+/// The named parameters, errors and guarantees are those of `map_to_sphere()`, but for `domain_point_map` and
+/// `landmarks`, whose types would depend on the genus.
 ///
 /// \throw Topology_error  also for a connected mesh that is none of the three, saying what it is
 template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
@@ -40,13 +40,13 @@ Any_map map_to_canonical_surface(const FaceListGraph& mesh,
 {
   const internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
   if (!arrays.topology.is_closed())
-    return internal::map_to_plane<ConcurrencyTag>(arrays, np);
+    return internal::map_to_plane<ConcurrencyTag>(arrays, {}, {}, np);
   if (arrays.topology.genus == 0)
-    return internal::map_to_sphere<ConcurrencyTag>(arrays, np);
+    return internal::map_to_sphere<ConcurrencyTag>(arrays, {}, np);
   if (arrays.topology.is_connected() && arrays.topology.genus > 1)
     throw Topology_error(Error_code::wrong_genus,
                          arrays.topology.sentence() + ": only genus 0 and 1 have a canonical surface");
-  return internal::map_to_torus<ConcurrencyTag>(arrays, np);
+  return internal::map_to_torus<ConcurrencyTag>(arrays, {}, np);
 }
 
 } // namespace Simple_manifolds

@@ -19,22 +19,28 @@ namespace Simple_manifolds {
 
 namespace internal {
 
+// corners: four vertices of the border in counterclockwise order, or none.
 template <class ConcurrencyTag, class NamedParameters>
-Manifold_map<Plane_atlas> map_to_plane(const Mesh_arrays& a, const NamedParameters& np)
+Manifold_map<Plane_atlas> map_to_plane(const Mesh_arrays& a,
+                                       const std::vector<Indexed_landmark<Eigen::Vector2d>>& landmarks,
+                                       const std::vector<int>& corners, const NamedParameters& np)
 {
   require_disk(a.topology);
-  const Square_border disk(a.points, a.triangles);
+  const Square_border disk(a.points, a.triangles, corners);
   const int n = static_cast<int>(disk.points().size());
   std::vector<Eigen::Vector3d> closed_points = disk.points();
   closed_points.push_back(closed_points[0]); // the apex: its position is never used
+  Embedding_problem<Eigen::Vector2d> problem{closed_points, disk.closed_triangles(), n, a.vertex_weight, landmarks};
+  if (!problem.vertex_weight.empty())
+    problem.vertex_weight.resize(n + 1, 1.);
   return certified_map<Plane_atlas, ConcurrencyTag>(
-    closed_points, disk.closed_triangles(), n, np,
+    problem, np,
     [&](const std::vector<int>& order) {
-      std::vector<unsigned char> sides(n + 1, 0);
+      std::vector<unsigned char> sides(order.size(), 0);
       int apex = -1;
-      for (int i = 0; i <= n; ++i) {
+      for (std::size_t i = 0; i < order.size(); ++i) {
         if (order[i] == n)
-          apex = i;
+          apex = static_cast<int>(i);
         else
           sides[i] = disk.sides()[order[i]];
       }
@@ -44,7 +50,8 @@ Manifold_map<Plane_atlas> map_to_plane(const Mesh_arrays& a, const NamedParamete
       std::vector<Eigen::Vector2d> domain_points(n);
       for (int v = 0; v < n; ++v)
         domain_points[v] = geometry.position(number(v));
-      return Manifold_map<Plane_atlas>(disk.points(), disk.triangles(), std::move(domain_points), a.points.size());
+      return Manifold_map<Plane_atlas>(disk.points(), disk.triangles(), std::move(domain_points),
+                                       a.number_of_input_vertices, a.number_of_virtual_faces);
     });
 }
 
@@ -54,10 +61,14 @@ Manifold_map<Plane_atlas> map_to_plane(const Mesh_arrays& a, const NamedParamete
 ///
 /// Maps a disk (a connected mesh of genus 0 with one border loop) one to one onto the unit square.
 ///
-/// The corners of the square are four border vertices as nearly as possible a fourth of the border's length
-/// apart; the others slide on the sides. An interior edge that joins two vertices of one side is split at
+/// The corners of the square are four border vertices: those that the named parameter `corners` gives (a range of
+/// four vertices of the border, counterclockwise; the first goes to (0,0)), or else four that are nearly a
+/// fourth of the border's length apart and, where the border has corners of its own, at these. The others
+/// slide on the sides. An interior edge that joins two vertices of one side is split at
 /// its middle, because its triangle would be flat on the side, and border edges are split where the border
 /// has fewer than four vertices: then the map has more vertices than the mesh, the surface is the same.
+///
+/// A disk with holes is mapped with `close_borders(Close_borders::INNER)`.
 ///
 /// \copydetails map_to_sphere
 template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
@@ -66,7 +77,12 @@ Manifold_map<Plane_atlas> map_to_plane(const FaceListGraph& mesh,
                                        const NamedParameters& np = parameters::default_values())
 {
   const internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
-  Manifold_map<Plane_atlas> map = internal::map_to_plane<ConcurrencyTag>(arrays, np);
+  std::vector<int> corners;
+  if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::corners_t>::value)
+    corners = internal::indices_of(mesh, arrays,
+                                   CGAL::parameters::get_parameter_reference(np, internal_np::corners));
+  Manifold_map<Plane_atlas> map = internal::map_to_plane<ConcurrencyTag>(
+    arrays, internal::landmarks_of<Eigen::Vector2d>(mesh, arrays, np), corners, np);
   internal::write_domain_points(mesh, arrays.index, map, np);
   return map;
 }

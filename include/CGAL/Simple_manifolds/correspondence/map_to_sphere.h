@@ -19,17 +19,21 @@ namespace Simple_manifolds {
 namespace internal {
 
 template <class ConcurrencyTag, class NamedParameters>
-Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a, const NamedParameters& np)
+Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
+                                         const std::vector<Indexed_landmark<Eigen::Vector3d>>& landmarks,
+                                         const NamedParameters& np)
 {
   require_closed_genus(a.topology, Sphere_atlas::genus);
   const int n = static_cast<int>(a.points.size());
+  const Embedding_problem<Eigen::Vector3d> problem{a.points, a.triangles, -1, a.vertex_weight, landmarks};
   return certified_map<Sphere_atlas, ConcurrencyTag>(
-    a.points, a.triangles, -1, np, [n](const std::vector<int>&) { return Spherical_geometry(n); },
+    problem, np, [n](const std::vector<int>&) { return Spherical_geometry(n); },
     [&](const Collapse_hierarchy&, const Spherical_geometry& geometry, const auto& number) {
       std::vector<Eigen::Vector3d> domain_points(n);
       for (int v = 0; v < n; ++v)
         domain_points[v] = geometry.position(number(v));
-      return Manifold_map<Sphere_atlas>(a.points, a.triangles, std::move(domain_points), a.points.size());
+      return Manifold_map<Sphere_atlas>(a.points, a.triangles, std::move(domain_points),
+                                        a.number_of_input_vertices, a.number_of_virtual_faces);
     });
 }
 
@@ -58,6 +62,12 @@ Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a, const NamedParame
 ///     \cgalParamDefault{0.3} \cgalParamNEnd
 ///   \cgalParamNBegin{area_floor} \cgalParamDescription{share of uniform area in the target areas, in (0,1]}
 ///     \cgalParamDefault{0.05} \cgalParamNEnd
+///   \cgalParamNBegin{vertex_weight_map} \cgalParamDescription{relative area wanted in the domain, >= 0: a face takes
+///     its own area times the mean weight of its corners} \cgalParamDefault{all 1} \cgalParamNEnd
+///   \cgalParamNBegin{landmarks} \cgalParamDescription{a range of `Landmark`: vertices and the domain points that
+///     they are drawn to} \cgalParamNEnd
+///   \cgalParamNBegin{close_borders} \cgalParamDescription{the border loops to close virtually, see
+///     `Close_borders`} \cgalParamDefault{`Close_borders::NONE`} \cgalParamNEnd
 ///   \cgalParamNBegin{effort} \cgalParamDescription{see `Effort`} \cgalParamNEnd
 ///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel, a model of
 ///     `SimpleManifoldsVisitor` passed by `std::ref`} \cgalParamNEnd
@@ -75,7 +85,8 @@ Manifold_map<Sphere_atlas> map_to_sphere(const FaceListGraph& mesh,
                                          const NamedParameters& np = parameters::default_values())
 {
   const internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
-  Manifold_map<Sphere_atlas> map = internal::map_to_sphere<ConcurrencyTag>(arrays, np);
+  Manifold_map<Sphere_atlas> map = internal::map_to_sphere<ConcurrencyTag>(
+    arrays, internal::landmarks_of<Eigen::Vector3d>(mesh, arrays, np), np);
   internal::write_domain_points(mesh, arrays.index, map, np);
   return map;
 }

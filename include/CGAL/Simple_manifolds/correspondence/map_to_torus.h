@@ -28,8 +28,9 @@ using Lifted_face = std::array<Lifted_corner, 3>;
 
 // Splits edges at their middles until the nearest lift of an edge is the edge: until all coordinate
 // differences are below 1/2. Only meshes of a few dozen vertices have longer ones.
+// The virtual faces are the last ones, before and after.
 inline void split_long_edges(std::vector<Lifted_face>& faces, std::vector<Eigen::Vector3d>& points,
-                             std::vector<Eigen::Vector2d>& domain_points)
+                             std::vector<Eigen::Vector2d>& domain_points, std::size_t& number_of_virtual_faces)
 {
   const auto is_long = [](const Lifted_corner& a, const Lifted_corner& b) {
     return !((b.lift - a.lift).cwiseAbs().maxCoeff() < 0.5);
@@ -46,7 +47,10 @@ inline void split_long_edges(std::vector<Lifted_face>& faces, std::vector<Eigen:
     const Corner_table table(static_cast<int>(points.size()), triangles);
     std::vector<int> middle(3 * faces.size(), -1);
     std::vector<Lifted_face> result;
+    std::size_t real = 0;
     for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (f + number_of_virtual_faces == faces.size())
+        real = result.size();
       std::array<bool, 3> split;
       std::array<Lifted_corner, 3> corner;
       for (int k = 0; k < 3; ++k) {
@@ -65,17 +69,30 @@ inline void split_long_edges(std::vector<Lifted_face>& faces, std::vector<Eigen:
       }
       split_triangle(faces[f], split, corner, result);
     }
+    number_of_virtual_faces = number_of_virtual_faces == 0 ? 0 : result.size() - real;
     faces.swap(result);
   }
 }
 
+// The half-edge from v to w.
+inline int half_edge_between(const Corner_table& t, int v, int w)
+{
+  int h = t.outgoing(v);
+  while (t.target(h) != w)
+    h = t.rotate(h);
+  return h;
+}
+
 template <class ConcurrencyTag, class NamedParameters>
-Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a, const NamedParameters& np)
+Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a,
+                                       const std::vector<Indexed_landmark<Eigen::Vector2d>>& landmarks,
+                                       const NamedParameters& np)
 {
   require_closed_genus(a.topology, Torus_atlas::genus);
   const int n = static_cast<int>(a.points.size()), m = static_cast<int>(a.triangles.size());
+  const Embedding_problem<Eigen::Vector2d> problem{a.points, a.triangles, -1, a.vertex_weight, landmarks};
   return certified_map<Torus_atlas, ConcurrencyTag>(
-    a.points, a.triangles, -1, np, [n, m](const std::vector<int>&) { return Torus_geometry(n, m); },
+    problem, np, [n, m](const std::vector<int>&) { return Torus_geometry(n, m); },
     [&](const Collapse_hierarchy& mesh, Torus_geometry& geometry, const auto& number) {
       geometry.wrap(mesh);
       const Corner_table& table = mesh.table();
@@ -84,28 +101,28 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a, const NamedParamete
         has_long_edge = !((geometry.lifted_target(table, h) - geometry.position(table.origin(h)))
                             .cwiseAbs().maxCoeff() < 0.5);
       std::vector<Eigen::Vector2d> domain_points(n);
-      std::vector<int> vertex(n); // of the input, per vertex of the hierarchy
-      for (int v = 0; v < n; ++v) {
-        vertex[number(v)] = v;
+      for (int v = 0; v < n; ++v)
         domain_points[v] = geometry.position(number(v));
-      }
       if (!has_long_edge)
-        return Manifold_map<Torus_atlas>(a.points, a.triangles, std::move(domain_points), a.points.size());
+        return Manifold_map<Torus_atlas>(a.points, a.triangles, std::move(domain_points),
+                                         a.number_of_input_vertices, a.number_of_virtual_faces);
 
       std::vector<Lifted_face> faces;
-      for (int f = 0; f < m; ++f) {
-        const int u = table.origin(3 * f), v = table.origin(3 * f + 1), w = table.origin(3 * f + 2);
-        faces.push_back({Lifted_corner{vertex[u], geometry.position(u)},
-                         Lifted_corner{vertex[v], geometry.lifted_target(table, 3 * f)},
-                         Lifted_corner{vertex[w], geometry.lifted_target(table, table.opposite(3 * f + 2))}});
+      for (const Triangle& t : a.triangles) {
+        const int h = half_edge_between(table, number(t[0]), number(t[1]));
+        faces.push_back(
+          {Lifted_corner{t[0], geometry.position(number(t[0]))},
+           Lifted_corner{t[1], geometry.lifted_target(table, h)},
+           Lifted_corner{t[2], geometry.lifted_target(table, table.rotate(h))}});
       }
       std::vector<Eigen::Vector3d> points = a.points;
-      split_long_edges(faces, points, domain_points);
+      std::size_t number_of_virtual_faces = a.number_of_virtual_faces;
+      split_long_edges(faces, points, domain_points, number_of_virtual_faces);
       std::vector<Triangle> triangles;
       for (const Lifted_face& f : faces)
         triangles.push_back({f[0].vertex, f[1].vertex, f[2].vertex});
       return Manifold_map<Torus_atlas>(std::move(points), std::move(triangles), std::move(domain_points),
-                                       a.points.size());
+                                       a.number_of_input_vertices, number_of_virtual_faces);
     });
 }
 
@@ -127,7 +144,8 @@ Manifold_map<Torus_atlas> map_to_torus(const FaceListGraph& mesh,
                                        const NamedParameters& np = parameters::default_values())
 {
   const internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
-  Manifold_map<Torus_atlas> map = internal::map_to_torus<ConcurrencyTag>(arrays, np);
+  Manifold_map<Torus_atlas> map = internal::map_to_torus<ConcurrencyTag>(
+    arrays, internal::landmarks_of<Eigen::Vector2d>(mesh, arrays, np), np);
   internal::write_domain_points(mesh, arrays.index, map, np);
   return map;
 }

@@ -94,15 +94,17 @@ Mesh_topology topology_of_soup(const Soup& soup, std::vector<int>& opposite)
   std::vector<char> used(soup.number_of_vertices(), false);
   for (int h = 0; h < soup.number_of_half_edges(); ++h)
     used[soup.source(h)] = true;
-  const std::vector<int> loops = border_loops(soup, opposite);
+  const std::vector<std::vector<int>> loops = border_loops(soup, opposite);
 
   Mesh_topology t;
   t.vertices = std::count(used.begin(), used.end(), true);
   t.isolated_vertices = used.size() - t.vertices;
   t.faces = soup.number_of_faces();
   t.border_loops = loops.size();
-  t.border_edges = std::accumulate(loops.begin(), loops.end(), std::size_t(0));
-  t.longest_border = loops.empty() ? 0 : *std::max_element(loops.begin(), loops.end());
+  for (const auto& loop : loops) {
+    t.border_edges += loop.size();
+    t.longest_border = std::max(t.longest_border, loop.size());
+  }
   t.edges = (opposite.size() + t.border_edges) / 2;
   t.components = number_of_components(soup);
   t.euler_characteristic = static_cast<long>(t.vertices + t.faces) - static_cast<long>(t.edges);

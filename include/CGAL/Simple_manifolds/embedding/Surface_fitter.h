@@ -56,7 +56,7 @@ struct Fit_options {
 /// \tparam Map   a model of `ManifoldMap`. Used are: the types `Atlas`, `Domain_point` and `Location`
 ///               (default constructible, with members `face` and `barycentric`), and the members
 ///               `atlas()`, `number_of_vertices()`, `number_of_faces()`, `point(v)`, `domain_point(v)`,
-///               `diagonal()`, `to_domain(location)`, `position(location)` and
+///               `is_virtual(f)`, `is_virtual_vertex(v)`, `diagonal()`, `to_domain(location)`, `position(location)` and
 ///               `to_mesh(p, face_hint)`, where the hint -1 is none.
 /// \tparam Bump  a model of `BumpFunction`
 template <class Map, class Bump = Smoothstep_bump<2>>

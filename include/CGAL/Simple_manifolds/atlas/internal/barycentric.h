@@ -24,21 +24,25 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-// A sum of terms of total magnitude S is wrong by about 1e-15 S: below this share of S too few digits
+// A sum of terms of total magnitude S is wrong by about 1e-16 S: below this share of S less than 13 digits
 // of it are left.
-constexpr double least_share = 1e-4;
+constexpr double least_share = 1e-3;
+
+// n / d, right to the last bits of a double whatever the sizes of the integers.
+inline double ratio(const Integer& n, const Integer& d)
+{
+  if (n.is_zero()) { return 0; }
+  const Integer a = abs(n), b = abs(d);
+  const int shift = 64 + static_cast<int>(msb(b)) - static_cast<int>(msb(a)); // leaves a quotient of 64 or 65 bits
+  const Integer q = shift >= 0 ? Integer((a << shift) / b) : Integer(a / (b << -shift));
+  return n.sign() * d.sign() * std::ldexp(q.convert_to<double>(), -shift);
+}
 
 inline Eigen::Vector3d normalized_by_sum(const std::array<Integer, 3>& b)
 {
   const Integer sum = b[0] + b[1] + b[2];
   CGAL_precondition(!sum.is_zero());
-  // some versions of Boost refuse negative denominators
-  const int sign = sum.sign();
-  const Integer denominator = sign * sum;
-  const auto ratio = [&](const Integer& i) {
-    return boost::multiprecision::cpp_rational(Integer(sign * i), denominator).convert_to<double>();
-  };
-  return {ratio(b[0]), ratio(b[1]), ratio(b[2])};
+  return {ratio(b[0], sum), ratio(b[1], sum), ratio(b[2], sum)};
 }
 
 // [p q r]^-1 x, divided by the sum of its coordinates.

@@ -22,6 +22,14 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
+// A soft target for a vertex.
+template <class Point>
+struct Indexed_landmark {
+  int vertex;
+  Point target;
+  double weight;
+};
+
 // The embedding of a triangulated surface in a domain, valid at every moment:
 //  1. the mesh is reduced to a base that is embedded directly (Collapse_hierarchy);
 //  2. level by level, every vertex comes back at a point of the kernel of its star. The kernel is
@@ -36,11 +44,18 @@ public:
   using Star = internal::Star<Geometry>;
   using Point = typename Geometry::Point;
 
-  // mesh: decimated, with masses that are the target areas of the vertices.
+  // mesh: decimated, with masses that are the target areas of the vertices. landmarks: for its vertices.
   Coarse_to_fine_embedding(Collapse_hierarchy& mesh, Geometry& geometry, const Map_options& options,
-                           const Target_area& target_area, double shape_floor)
-    : mesh_(mesh), geometry_(geometry), energy_(options), options_(options), target_area_(target_area),
-      shape_floor_(shape_floor), targets_(mesh.table().number_of_half_edges() / 3) {}
+                           double shape_floor, const std::vector<Indexed_landmark<Point>>& landmarks)
+    : mesh_(mesh), geometry_(geometry), energy_(options), options_(options), shape_floor_(shape_floor),
+      landmarks_(landmarks), landmark_of_(landmarks.empty() ? 0 : mesh.number_of_vertices(), -1),
+      targets_(mesh.table().number_of_half_edges() / 3)
+  {
+    for (std::size_t i = 0; i < landmarks_.size(); ++i) {
+      landmarks_[i].weight *= 10 * Geometry::total_area;
+      landmark_of_[landmarks_[i].vertex] = static_cast<int>(i);
+    }
+  }
 
   // Returns false if a vertex could not be placed, which only rounding can cause.
   template <class Progress>
@@ -106,7 +121,7 @@ private:
           quarter_cotangents(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), shape_floor_);
         double area = 0;
         if (is_finest)
-          area = target_area_(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]));
+          area = mesh_.face_area(f);
         else
           for (int k = 0; k < 3; ++k)
             area += mesh_.mass(v[k]) / mesh_.number_of_real_faces(v[k]);
@@ -178,6 +193,8 @@ private:
 
   void sweep(int times)
   {
+    if (!landmarks_.empty() && mesh_.number_of_active_vertices() < 1000)
+      geometry_.align(active_landmarks());
     for (int i = 0; i < times; ++i) {
       if (i % 4 == 0 && geometry_.update_metric(mesh_, targets_, energy_))
         build_stars();
@@ -194,6 +211,15 @@ private:
     }
   }
 
+  std::vector<Indexed_landmark<Point>> active_landmarks() const
+  {
+    std::vector<Indexed_landmark<Point>> active;
+    for (const auto& l : landmarks_)
+      if (l.vertex < mesh_.number_of_active_vertices())
+        active.push_back(l);
+    return active;
+  }
+
   // One Newton step for v alone, over-relaxed, with a line search that stays valid.
   void relax(int v, Star& star)
   {
@@ -201,7 +227,11 @@ private:
     if (dof == 0)
       return;
     star.gather(geometry_, stars_, v, mesh_.is_on_border(v));
-    const Quadratic_model m = geometry_.model(star, energy_);
+    Quadratic_model m = geometry_.model(star, energy_);
+    const Indexed_landmark<Point>* landmark
+      = landmark_of_.empty() || landmark_of_[v] < 0 ? nullptr : &landmarks_[landmark_of_[v]];
+    if (landmark)
+      geometry_.attract(m, star.position, landmark->target, landmark->weight);
     Eigen::Vector2d step;
     if (dof == 2) {
       step = geometry_.newton_step(m);
@@ -217,7 +247,10 @@ private:
     double scale = over_relaxation;
     for (int i = 0; i < 12; ++i, scale /= 2) {
       const Point q = geometry_.moved(star, scale * step);
-      if (star.energy(geometry_, energy_, q) <= m.value + 1e-4 * scale * slope) {
+      double value = star.energy(geometry_, energy_, q);
+      if (landmark)
+        value += landmark->weight * geometry_.squared_distance(q, landmark->target);
+      if (value <= m.value + 1e-4 * scale * slope) {
         geometry_.set_position(v, q);
         return;
       }
@@ -230,8 +263,9 @@ private:
   Geometry& geometry_;
   Distortion_energy energy_;
   Map_options options_;
-  Target_area target_area_;
   double shape_floor_;
+  std::vector<Indexed_landmark<Point>> landmarks_;
+  std::vector<int> landmark_of_; // per vertex, -1: none; empty without landmarks
   std::vector<Face_target> targets_; // of the active faces
   typename Star::Table stars_;       // of the active vertices
 };

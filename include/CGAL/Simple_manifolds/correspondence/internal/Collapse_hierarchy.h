@@ -32,14 +32,17 @@ namespace internal {
 // faces likewise. The active mesh is a prefix of all arrays. `refine` brings the next level back.
 class Collapse_hierarchy {
 public:
-  // points: any positions with |x| of order 1, used for the costs only. mass: target area per vertex,
-  // spread over the neighbours when a vertex goes. apex: a virtual vertex that closes the border of
-  // a disk, or -1; it is never removed, has no position and no mass.
-  Collapse_hierarchy(std::vector<Eigen::Vector3d> points, const std::vector<std::array<int, 3>>& faces,
-                     std::vector<double> mass, int apex)
-    : table_(static_cast<int>(points.size()), faces), points_(std::move(points)), mass_(std::move(mass)),
-      apex_(apex), on_border_(points_.size(), 0)
+  // points: any positions with |x| of order 1, used for the costs and the shapes. face_area: target areas; a third of
+  // each is the mass of a corner, and the mass of a vertex goes to its neighbours when it is removed.
+  // apex: a virtual vertex that closes the border of a disk, or -1; it is never removed and has no position.
+  Collapse_hierarchy(std::vector<Eigen::Vector3d> points, const std::vector<Triangle>& faces,
+                     std::vector<float> face_area, int apex)
+    : table_(static_cast<int>(points.size()), faces), points_(std::move(points)), mass_(points_.size(), 0.),
+      face_area_(std::move(face_area)), apex_(apex), on_border_(points_.size(), 0)
   {
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (int v : faces[f])
+        mass_[v] += face_area_[f] / 3.;
     if (apex >= 0)
       table_.for_each_outgoing(table_.outgoing(apex), [&](int h) { on_border_[table_.target(h)] = 1; });
   }
@@ -47,6 +50,7 @@ public:
   const Corner_table& table() const { return table_; }
   const Eigen::Vector3d& point(int v) const { return points_[v]; }
   double mass(int v) const { return mass_[v]; }
+  float face_area(int f) const { return face_area_[f]; }
   int apex() const { return apex_; }
   int number_of_vertices() const { return table_.number_of_vertices(); }
   int number_of_active_vertices() const { return level_end_[level_]; }
@@ -66,9 +70,11 @@ public:
   int number_of(int input_vertex) const { return number_[input_vertex]; }
 
   // Removes vertices until `minimum` are left or none can go. removable(v): may v be removed at all?
-  // admissible(u, ring, i): may u be merged into ring[i], beyond the link condition?
-  template <class ConcurrencyTag, class Removable, class Admissible, class Progress>
-  void decimate(int minimum, const Removable& removable, const Admissible& admissible, const Progress& progress)
+  // admissible(u, ring, i): may u be merged into ring[i], beyond the link condition? reluctance(v): a factor of
+  // the cost of removing v.
+  template <class ConcurrencyTag, class Removable, class Admissible, class Reluctance, class Progress>
+  void decimate(int minimum, const Removable& removable, const Admissible& admissible,
+                const Reluctance& reluctance, const Progress& progress)
   {
     const int n = number_of_vertices();
     std::vector<int> active(n), removed; // removed: in the order of removal
@@ -84,7 +90,7 @@ public:
         Ring_buffer buffer;
         for (int i = first; i < last; ++i)
           if (active[i] != apex_ && table_.degree(active[i]) <= degree_bound && removable(active[i]))
-            candidates[i] = best_collapse(active[i], cap, admissible, buffer);
+            candidates[i] = best_collapse(active[i], cap, admissible, reluctance(active[i]), buffer);
       });
       candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                                       [](const Candidate& c) { return c.half_edge < 0; }), candidates.end());
@@ -105,7 +111,7 @@ public:
         if (locked[c.vertex])
           continue;
         // Collapses of this level may have closed the way or made it a bad one.
-        const Candidate now = best_collapse(c.vertex, cap, admissible, buffer);
+        const Candidate now = best_collapse(c.vertex, cap, admissible, reluctance(c.vertex), buffer);
         if (now.half_edge < 0 || now.cost > 4 * c.cost)
           continue;
         remove(c.vertex, now.half_edge, locked);
@@ -184,7 +190,7 @@ private:
   }
 
   template <class Admissible>
-  Candidate best_collapse(int u, int cap, const Admissible& admissible, Ring_buffer& b) const
+  Candidate best_collapse(int u, int cap, const Admissible& admissible, float reluctance, Ring_buffer& b) const
   {
     b.ring.clear();
     b.half_edge.clear();
@@ -200,7 +206,7 @@ private:
     std::sort(b.order.begin(), b.order.end());
     for (const auto& [c, i] : b.order)
       if (satisfies_link_condition(b.ring, i, cap) && admissible(u, b.ring, i))
-        return {c, u, b.half_edge[i]};
+        return {reluctance * c, u, b.half_edge[i]};
     return Candidate();
   }
 
@@ -280,10 +286,11 @@ private:
     table_.renumber(number_, half_edge);
     for (int& h : undo_)
       h = half_edge[h];
-    permute(points_);
-    permute(mass_);
-    permute(on_border_);
-    permute(collapse_);
+    permute(number_, points_);
+    permute(number_, mass_);
+    permute(number_, on_border_);
+    permute(number_, collapse_);
+    permute(face_number, face_area_);
     if (apex_ >= 0)
       apex_ = number_[apex_];
     for (int& h : collapse_)
@@ -298,17 +305,18 @@ private:
   }
 
   template <class T>
-  void permute(std::vector<T>& a) const
+  static void permute(const std::vector<int>& number, std::vector<T>& a)
   {
     std::vector<T> b(a.size());
-    for (std::size_t v = 0; v < a.size(); ++v)
-      b[number_[v]] = std::move(a[v]);
+    for (std::size_t i = 0; i < a.size(); ++i)
+      b[number[i]] = std::move(a[i]);
     a.swap(b);
   }
 
   Corner_table table_;
   std::vector<Eigen::Vector3d> points_;
   std::vector<double> mass_;
+  std::vector<float> face_area_;             // per face: target
   int apex_;
   std::vector<char> on_border_;              // per vertex
   int level_ = 0;

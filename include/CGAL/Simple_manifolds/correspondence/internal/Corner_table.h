@@ -8,9 +8,10 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_CORNER_TABLE_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_CORNER_TABLE_H
 
-#include <CGAL/assertions.h>
+#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/Polygon_soup.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/half_edges.h>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -30,8 +31,8 @@ public:
   static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
   // Precondition: a closed, consistently oriented simplicial surface without isolated vertices.
-  Corner_table(int number_of_vertices, const std::vector<std::array<int, 3>>& faces)
-    : origin_(3 * faces.size()), opposite_(3 * faces.size(), -1),
+  Corner_table(int number_of_vertices, const std::vector<Triangle>& faces)
+    : origin_(3 * faces.size()), opposite_(opposite_half_edges(Triangle_soup(number_of_vertices, faces))),
       outgoing_(number_of_vertices, -1), degree_(number_of_vertices, 0)
   {
     for (std::size_t f = 0; f < faces.size(); ++f)
@@ -41,7 +42,6 @@ public:
         outgoing_[origin_[h]] = h;
         ++degree_[origin_[h]];
       }
-    match_opposites();
   }
 
   int number_of_vertices() const { return static_cast<int>(outgoing_.size()); }
@@ -145,33 +145,6 @@ public:
   }
 
 private:
-  // Buckets the half-edges by their smaller end and sorts each bucket by the larger one: linear but
-  // for the hubs.
-  void match_opposites()
-  {
-    std::vector<int> start(outgoing_.size() + 1, 0), bucket(origin_.size());
-    const int m = static_cast<int>(origin_.size());
-    for (int h = 0; h < m; ++h)
-      ++start[std::min(origin(h), target(h)) + 1];
-    for (std::size_t v = 1; v < start.size(); ++v)
-      start[v] += start[v - 1];
-    std::vector<int> fill(start.begin(), start.end() - 1);
-    for (int h = 0; h < m; ++h)
-      bucket[fill[std::min(origin(h), target(h))]++] = h;
-    const auto larger_end = [this](int h) { return std::max(origin(h), target(h)); };
-    for (std::size_t v = 0; v + 1 < start.size(); ++v) {
-      std::sort(bucket.begin() + start[v], bucket.begin() + start[v + 1], [&](int g, int h) {
-        return std::make_pair(larger_end(g), g) < std::make_pair(larger_end(h), h);
-      });
-      for (int i = start[v]; i < start[v + 1]; i += 2) {
-        CGAL_assertion(i + 1 < start[v + 1] && larger_end(bucket[i]) == larger_end(bucket[i + 1])
-                       && origin(bucket[i]) != origin(bucket[i + 1]));
-        opposite_[bucket[i]] = bucket[i + 1];
-        opposite_[bucket[i + 1]] = bucket[i];
-      }
-    }
-  }
-
   std::vector<int> origin_;   // per half-edge
   std::vector<int> opposite_; // per half-edge
   std::vector<int> outgoing_; // per vertex: one half-edge

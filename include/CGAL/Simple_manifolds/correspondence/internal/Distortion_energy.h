@@ -42,16 +42,6 @@ inline std::array<float, 3> quarter_cotangents(const Eigen::Vector3d& a, const E
   return {quarter_cot(l[0]), quarter_cot(l[1]), quarter_cot(l[2])};
 }
 
-// The target area of a face: a share of its own area, and a constant that gives room to faces without
-// area.
-struct Target_area {
-  double factor, constant;
-  double operator()(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const
-  {
-    return factor * (b - a).cross(c - a).norm() / 2 + constant;
-  }
-};
-
 // The energy of one face as a function of its area S and its Dirichlet energy
 // D = sum_k cot_k l_k^2 / 4 (>= S), with target area A:
 //   symmetric Dirichlet  D (1 + A^2/S^2),   AMIPS  A D/S + lambda (S + A^2/S).

@@ -66,6 +66,16 @@ public:
     return m;
   }
 
+  // Adds weight * |difference|^2 to the model.
+  static void attract_by(Quadratic_model& m, const Point& difference, double weight)
+  {
+    m.value += weight * difference.squaredNorm();
+    m.g0 -= 2 * weight * difference[0];
+    m.g1 -= 2 * weight * difference[1];
+    m.h00 += 2 * weight;
+    m.h11 += 2 * weight;
+  }
+
   Eigen::Vector2d newton_step(const Quadratic_model& m) const
   {
     const Eigen::Vector2d step = m.newton_step(m00_, m01_, m11_);

@@ -14,6 +14,7 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/Star_kernel.h>
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 
 #include <cmath>
 #include <vector>
@@ -33,7 +34,7 @@ public:
   static constexpr double total_area = 4 * 3.14159265358979323846;
   static constexpr int minimum_vertices = 4;
 
-  explicit Spherical_geometry(int number_of_vertices) : position_(number_of_vertices) {}
+  explicit Spherical_geometry(int number_of_vertices) : position_(number_of_vertices, Point(0, 0, 1)) {}
 
   const Point& position(int v) const { return position_[v]; }
 
@@ -106,6 +107,33 @@ public:
     m.h11 -= normal;
     return m;
   }
+  // Adds weight * |p - target|^2 to the model at p.
+  static void attract(Quadratic_model& m, const Point& p, const Point& target, double weight)
+  {
+    const Eigen::Vector2d t = tangent_frame(p).transpose() * target;
+    m.value += weight * squared_distance(p, target);
+    m.g0 -= 2 * weight * t[0];
+    m.g1 -= 2 * weight * t[1];
+    m.h00 += 2 * weight * p.dot(target);
+    m.h11 += 2 * weight * p.dot(target);
+  }
+  static double squared_distance(const Point& p, const Point& target) { return (p - target).squaredNorm(); }
+
+  // Rotates the sphere so that the landmarks come nearest to their targets (Kabsch 1976).
+  template <class Landmarks>
+  void align(const Landmarks& landmarks)
+  {
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (const auto& l : landmarks)
+      covariance += l.weight * l.target * position_[l.vertex].transpose();
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Eigen::Vector3d reflect(1, 1, 1);
+    reflect[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+    const Eigen::Matrix3d rotation = svd.matrixU() * reflect.asDiagonal() * svd.matrixV().transpose();
+    for (Point& p : position_)
+      p = (rotation * p).normalized();
+  }
+
   Eigen::Vector2d newton_step(const Quadratic_model& m) const { return limited(m.newton_step(1, 0, 1), 0.5); }
 
   Point moved(const Star& star, const Eigen::Vector2d& t) const

@@ -9,12 +9,20 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_SQUARE_BORDER_H
 
 #include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/Polygon_soup.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/half_edges.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/split_edges.h>
 
-#include <Eigen/Core>
+#include <CGAL/assertions.h>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -27,13 +35,15 @@ namespace internal {
 // triangle flat on the side). Edges that stand in the way are split at their middles.
 class Square_border {
 public:
-  Square_border(std::vector<Eigen::Vector3d> points, std::vector<Triangle> triangles)
+  // corners: four border vertices in counterclockwise order, or none: then they are chosen.
+  Square_border(std::vector<Eigen::Vector3d> points, std::vector<Triangle> triangles, const std::vector<int>& corners)
     : points_(std::move(points)), triangles_(std::move(triangles))
   {
-    find_border();
+    const Triangle_soup soup(static_cast<int>(points_.size()), triangles_);
+    border_ = border_loops(soup, opposite_half_edges(soup)).front();
     while (border_.size() < 4)
       split_longest_border_edge();
-    choose_corners();
+    set_sides(corners.empty() ? chosen_corners() : places_on_border(corners));
     split_chords();
   }
 
@@ -55,27 +65,8 @@ public:
 
 private:
   using Edge = std::pair<int, int>;
+  static constexpr double pi = 3.14159265358979323846;
   static Edge edge(int v, int w) { return {std::min(v, w), std::max(v, w)}; }
-
-  // The border loop, counterclockwise: along the half-edges that have no opposite.
-  void find_border()
-  {
-    std::vector<Edge> half_edges;
-    for (const Triangle& t : triangles_)
-      for (int k = 0; k < 3; ++k)
-        half_edges.emplace_back(t[k], t[(k + 1) % 3]);
-    std::sort(half_edges.begin(), half_edges.end());
-    std::vector<int> next(points_.size(), -1);
-    int start = -1;
-    for (const Edge& h : half_edges)
-      if (!std::binary_search(half_edges.begin(), half_edges.end(), Edge(h.second, h.first))) {
-        next[h.first] = h.second;
-        start = start < 0 ? h.first : std::min(start, h.first);
-      }
-    border_.assign(1, start);
-    for (int v = next[start]; v != start; v = next[v])
-      border_.push_back(v);
-  }
 
   double length(std::size_t i) const { return (points_[border_[(i + 1) % border_.size()]] - points_[border_[i]]).norm(); }
 
@@ -89,38 +80,115 @@ private:
     border_.insert(border_.begin() + longest + 1, static_cast<int>(points_.size()) - 1);
   }
 
-  // Four border vertices as nearly as possible a fourth of the border's length apart.
-  void choose_corners()
+  using Corners = std::array<std::size_t, 4>; // places in border_, increasing but for one wrap
+
+  Corners places_on_border(const std::vector<int>& corners) const
+  {
+    CGAL_precondition(corners.size() == 4);
+    Corners place;
+    for (std::size_t k = 0; k < 4; ++k) {
+      place[k] = std::find(border_.begin(), border_.end(), corners[k]) - border_.begin();
+      CGAL_precondition_msg(place[k] < border_.size(), "a corner is no vertex of the border");
+    }
+    std::size_t turns = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      turns += place[(k + 1) % 4] <= place[k];
+    CGAL_precondition_msg(turns == 1, "the corners are not in counterclockwise order");
+    return place;
+  }
+
+  // How far the border turns to the left near each of its vertices, in [0, pi/2]: pi minus the angles of the faces,
+  // summed over a hundredth of the border to either side, so that zigzags cancel.
+  std::vector<double> turning(const std::vector<double>& arc) const
+  {
+    std::vector<double> at_vertex(points_.size(), pi);
+    for (const Triangle& t : triangles_)
+      for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d a = points_[t[(k + 1) % 3]] - points_[t[k]], b = points_[t[(k + 2) % 3]] - points_[t[k]];
+        at_vertex[t[k]] -= std::atan2(a.cross(b).norm(), a.dot(b));
+      }
+    const std::size_t n = border_.size();
+    std::vector<double> sum(3 * n + 1, 0.); // over three rounds, so that windows do not wrap
+    for (std::size_t i = 0; i < 3 * n; ++i)
+      sum[i + 1] = sum[i] + at_vertex[border_[i % n]];
+    std::vector<double> result(n);
+    std::size_t first = 0, last = 0;
+    for (std::size_t i = n; i < 2 * n; ++i) {
+      while (arc[first] < arc[i] - arc[n] / 100)
+        ++first;
+      while (last < 3 * n && arc[last] <= arc[i] + arc[n] / 100)
+        ++last;
+      result[i - n] = std::min(std::max(sum[last] - sum[first], 0.), pi / 2);
+    }
+    return result;
+  }
+
+  // Where the border has four corners of its own, about a fourth of its length apart, these; else the four vertices
+  // that are most nearly a fourth of the border apart, since lesser turns say nothing about the shape.
+  Corners chosen_corners() const
   {
     const std::size_t n = border_.size();
-    std::vector<double> arc(2 * n + 1, 0.);
-    for (std::size_t i = 0; i < 2 * n; ++i)
+    std::vector<double> arc(3 * n + 1, 0.);
+    for (std::size_t i = 0; i < 3 * n; ++i)
       arc[i + 1] = arc[i] + length(i % n);
-    const double quarter = arc[n] / 4;
-    double least = -1;
-    std::array<std::size_t, 4> best = {0, 1, 2, 3};
-    for (std::size_t start = 0; start < n; ++start) {
-      std::array<std::size_t, 4> corner = {start, 0, 0, 0};
-      double deviation = 0;
+    std::vector<double> turn = turning(arc);
+    std::vector<std::size_t> starts(n);
+    std::iota(starts.begin(), starts.end(), 0);
+    std::stable_sort(starts.begin(), starts.end(), [&](std::size_t i, std::size_t j) { return turn[i] > turn[j]; });
+    starts.resize(std::min<std::size_t>(n, 64));
+    const Corners sharp = best_corners(arc, turn, starts);
+    double sum = 0;
+    for (const std::size_t c : sharp)
+      sum += turn[c];
+    if (sum > 0.75 * 2 * pi)
+      return sharp;
+    return best_corners(arc, std::vector<double>(n, 0.), starts);
+  }
+
+  // The four vertices that maximise merit less deviation from the places a fourth of the border apart, over the given
+  // first corners.
+  Corners best_corners(const std::vector<double>& arc, const std::vector<double>& merit,
+                       const std::vector<std::size_t>& starts) const
+  {
+    const std::size_t n = border_.size();
+    const double quarter = arc[n] > 0 ? arc[n] / 4 : 1;
+    double best_score = std::numeric_limits<double>::lowest();
+    Corners best = {0, 1, 2, 3};
+    for (const std::size_t start : starts) {
+      Corners corner = {start, 0, 0, 0};
+      double score = merit[start];
       for (std::size_t k = 1; k < 4; ++k) {
-        const double target = arc[start] + static_cast<double>(k) * quarter;
-        std::size_t i = std::lower_bound(arc.begin(), arc.end(), target) - arc.begin();
-        if (i > 0 && target - arc[i - 1] < arc[i] - target)
-          --i;
-        corner[k] = std::min(std::max(i, corner[k - 1] + 1), start + n - (4 - k));
-        deviation = std::max(deviation, std::abs(arc[corner[k]] - target));
+        const double place = arc[start] + static_cast<double>(k) * quarter;
+        double best_here = std::numeric_limits<double>::lowest();
+        for (std::size_t i = corner[k - 1] + 1; i <= start + n - (4 - k); ++i) {
+          const double here = merit[i % n] - 4 * std::abs(arc[i] - place) / quarter;
+          if (here > best_here) {
+            best_here = here;
+            corner[k] = i;
+          }
+        }
+        score += best_here;
       }
-      if (least < 0 || deviation < least) {
-        least = deviation;
+      if (score > best_score) {
+        best_score = score;
         best = corner;
       }
     }
+    for (std::size_t& c : best)
+      c %= n;
+    return best;
+  }
+
+  void set_sides(const Corners& corner)
+  {
+    const std::size_t n = border_.size();
     sides_.assign(points_.size(), 0);
-    for (int side = 0; side < 4; ++side) {
-      const std::size_t last = side == 3 ? best[0] + n : best[side + 1];
-      for (std::size_t i = best[side]; i <= last; ++i)
-        sides_[border_[i % n]] |= static_cast<unsigned char>(1 << side);
-    }
+    for (std::size_t side = 0; side < 4; ++side)
+      for (std::size_t i = corner[side];; i = (i + 1) % n) {
+        sides_[border_[i]] |= static_cast<unsigned char>(1u << side);
+        if (i == corner[(side + 1) % 4])
+          break;
+      }
   }
 
   void split_chords()

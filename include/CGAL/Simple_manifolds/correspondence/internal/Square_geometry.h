@@ -68,6 +68,14 @@ public:
   static Neighbour neighbour(const Corner_table& t, int h) { return t.target(h); }
   const Point& seen(Neighbour v) const { return position_[v]; }
 
+  static void attract(Quadratic_model& m, const Point& p, const Point& target, double weight)
+  {
+    attract_by(m, target - p, weight);
+  }
+  static double squared_distance(const Point& p, const Point& target) { return (target - p).squaredNorm(); }
+  template <class Landmarks>
+  void align(const Landmarks&) {} // the corners fix the square
+
   // Border vertices evenly spaced on their sides, interior ones (none, if the base is minimal) at the mean
   // of their neighbours (Tutte 1963).
   bool embed_base(const Collapse_hierarchy& mesh)

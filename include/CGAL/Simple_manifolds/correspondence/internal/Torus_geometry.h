@@ -51,6 +51,37 @@ public:
   // The target of h as seen from its origin.
   Point lifted_target(const Corner_table& t, int h) const { return seen(neighbour(t, h)); }
 
+  // Landmarks act through the copy of their target that is nearest.
+  static Point difference(const Point& p, const Point& target)
+  {
+    const Point d = target - p;
+    return Point(d[0] - std::round(d[0]), d[1] - std::round(d[1]));
+  }
+  static void attract(Quadratic_model& m, const Point& p, const Point& target, double weight)
+  {
+    attract_by(m, difference(p, target), weight);
+  }
+  static double squared_distance(const Point& p, const Point& target) { return difference(p, target).squaredNorm(); }
+
+  // Translates the torus so that the landmarks come near to their targets: the mean of the translations that
+  // they ask for, relative to that of the first.
+  template <class Landmarks>
+  void align(const Landmarks& landmarks)
+  {
+    if (landmarks.empty())
+      return;
+    const Point first = difference(position_[landmarks[0].vertex], landmarks[0].target);
+    Point sum(0, 0);
+    double weight = 0;
+    for (const auto& l : landmarks) {
+      sum += l.weight * difference(position_[l.vertex] + first, l.target);
+      weight += l.weight;
+    }
+    const Point translation = snapped(first + (weight > 0 ? Point(sum / weight) : Point(0, 0)));
+    for (Point& p : position_)
+      p = snapped(p + translation);
+  }
+
   // Harmonic coordinates with uniform weights: an embedding on every simplicial torus (Lovasz;
   // Gortler, Gotsman and Thurston 2006). The base has 7 to 10 vertices.
   bool embed_base(const Collapse_hierarchy& mesh)

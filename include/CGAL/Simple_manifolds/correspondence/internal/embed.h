@@ -11,14 +11,16 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/Coarse_to_fine_embedding.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <numeric>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
+
+constexpr int number_of_attempts = 3;
 
 // The order of the points along Morton's curve: neighbours in space become neighbours in memory.
 inline std::vector<int> morton_order(const std::vector<Eigen::Vector3d>& points) // in [0,1]^3
@@ -62,73 +64,103 @@ inline std::vector<Eigen::Vector3d> normalized_points(const std::vector<Eigen::V
   return result;
 }
 
-// Embeds a closed triangulated surface in the domain of `Geometry` with `make_geometry(order)` as its
-// initial state; the vertex `apex` and its faces are virtual (-1: none). finish(mesh, geometry) reads
-// the result off; the number that the hierarchy gives to vertex v of the input is number(v).
+// A closed triangulated surface that is to be embedded, and what is wanted of it.
+template <class Point>
+struct Embedding_problem {
+  const std::vector<Eigen::Vector3d>& points;
+  std::vector<Triangle> triangles;
+  int apex = -1; // a virtual vertex, whose faces close the border of a disk
+  std::vector<double> vertex_weight = {}; // relative area in the domain; empty: all 1
+  std::vector<Indexed_landmark<Point>> landmarks = {};
+  int rejected_attempts = 0; // restarts have not been needed yet: their tests reject the first results
+};
+
+// Target areas of the triangles, summing to `total`: shares of their own areas and, since triangles without area
+// need room too, a share `floor` of uniform area; 0 for the virtual ones.
+inline std::vector<float> target_areas(const std::vector<Eigen::Vector3d>& points,
+                                       const std::vector<Triangle>& triangles, int apex,
+                                       const std::vector<double>& vertex_weight, double floor, double total)
+{
+  std::vector<double> area(triangles.size(), 0.), share(triangles.size(), 0.);
+  double area_sum = 0, share_sum = 0;
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    const Triangle& t = triangles[f];
+    if (t[0] == apex || t[1] == apex || t[2] == apex)
+      continue;
+    share[f] = vertex_weight.empty() ? 1
+             : std::max((vertex_weight[t[0]] + vertex_weight[t[1]] + vertex_weight[t[2]]) / 3, 1e-6);
+    area[f] = share[f] * (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm() / 2;
+    area_sum += area[f];
+    share_sum += share[f];
+  }
+  if (!(area_sum > 1e-150))
+    floor = 1;
+  std::vector<float> result(triangles.size());
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    result[f] = static_cast<float>(total * ((floor < 1 ? (1 - floor) * area[f] / area_sum : 0)
+                                            + floor * share[f] / share_sum));
+  return result;
+}
+
+// Embeds a surface in the domain of `Geometry` with `make_geometry(order)` as its initial state, where
+// order[i] is the vertex of the input that comes i-th. finish(mesh, geometry, number) reads the result off;
+// number(v) is the number that the hierarchy gives to vertex v of the input.
 //
 // The shape of the faces only guides the energy, so when doubles do not suffice the map is begun anew with
 // better conditioned targets, down to the purely combinatorial problem. Returns false if that fails too.
-template <class ConcurrencyTag, class Make_geometry, class Finish, class Visitor>
-bool embed(const std::vector<Eigen::Vector3d>& input_points, const std::vector<std::array<int, 3>>& input_faces,
-           int apex, Map_options options, const Make_geometry& make_geometry, const Finish& finish,
-           Visitor& visitor)
+template <class ConcurrencyTag, class Make_geometry, class Finish, class Visitor, class Point>
+bool embed(const Embedding_problem<Point>& problem, Map_options options, const Make_geometry& make_geometry,
+           const Finish& finish, Visitor& visitor)
 {
-  const int n = static_cast<int>(input_points.size());
-  std::vector<Eigen::Vector3d> points = normalized_points(input_points);
-  const std::vector<int> order = morton_order(points);
+  using Geometry = std::decay_t<decltype(make_geometry(std::vector<int>()))>;
+  const int n = static_cast<int>(problem.points.size());
+  const std::vector<Eigen::Vector3d> normalized = normalized_points(problem.points);
+  const std::vector<int> order = morton_order(normalized);
   std::vector<int> rank(n);
-  for (int i = 0; i < n; ++i)
+  std::vector<Eigen::Vector3d> points(n);
+  std::vector<double> vertex_weight(problem.vertex_weight.empty() ? 0 : n);
+  for (int i = 0; i < n; ++i) {
     rank[order[i]] = i;
-  {
-    std::vector<Eigen::Vector3d> sorted(n);
-    for (int i = 0; i < n; ++i)
-      sorted[i] = points[order[i]];
-    points.swap(sorted);
+    points[i] = normalized[order[i]];
+    if (!vertex_weight.empty())
+      vertex_weight[i] = problem.vertex_weight[order[i]];
   }
-  std::vector<std::array<int, 3>> faces(input_faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (int k = 0; k < 3; ++k)
-      faces[f][k] = rank[input_faces[f][k]];
-  std::sort(faces.begin(), faces.end(), [](const auto& f, const auto& g) {
-    return std::make_pair(*std::min_element(f.begin(), f.end()), f)
-         < std::make_pair(*std::min_element(g.begin(), g.end()), g);
+  std::vector<Triangle> triangles = problem.triangles;
+  for (Triangle& t : triangles)
+    for (int& v : t)
+      v = rank[v];
+  std::sort(triangles.begin(), triangles.end(), [](const Triangle& s, const Triangle& t) {
+    return std::make_pair(*std::min_element(s.begin(), s.end()), s)
+         < std::make_pair(*std::min_element(t.begin(), t.end()), t);
   });
-  const int sorted_apex = apex < 0 ? -1 : rank[apex];
+  const int apex = problem.apex < 0 ? -1 : rank[problem.apex];
+  // Landmarks stay as long as possible, so that the coarse levels are drawn to them.
+  std::vector<float> reluctance(problem.landmarks.empty() ? 0 : n, 1.f);
+  for (const auto& l : problem.landmarks)
+    reluctance[rank[l.vertex]] = 1e6f;
 
   double shape_floor = 1e-4;
-  for (int attempt = 0; attempt < 3; ++attempt) {
-    using Geometry = decltype(make_geometry(order));
-    const Target_area unscaled{1, 0};
-    double area = 0;
-    std::size_t real_faces = 0;
-    for (const auto& f : faces)
-      if (f[0] != sorted_apex && f[1] != sorted_apex && f[2] != sorted_apex) {
-        area += unscaled(points[f[0]], points[f[1]], points[f[2]]);
-        ++real_faces;
-      }
-    const double floor = area > 1e-150 ? options.area_floor : 1;
-    const Target_area target{floor < 1 ? (1 - floor) * Geometry::total_area / area : 0,
-                             floor * Geometry::total_area / static_cast<double>(real_faces)};
-    std::vector<double> mass(n, 0.);
-    for (const auto& f : faces)
-      if (f[0] != sorted_apex && f[1] != sorted_apex && f[2] != sorted_apex)
-        for (int k = 0; k < 3; ++k)
-          mass[f[k]] += target(points[f[0]], points[f[1]], points[f[2]]) / 3;
-
+  for (int attempt = 0; attempt < number_of_attempts; ++attempt) {
     Geometry geometry = make_geometry(order);
-    Collapse_hierarchy mesh(points, faces, std::move(mass), sorted_apex);
+    Collapse_hierarchy mesh(points, triangles, target_areas(points, triangles, apex, vertex_weight,
+                                                            options.area_floor, Geometry::total_area), apex);
     visitor.start_phase("decimate");
     mesh.decimate<ConcurrencyTag>(
       Geometry::minimum_vertices, [&](int v) { return geometry.is_removable(v); },
       [&](int u, const std::vector<int>& ring, int i) { return geometry.is_admissible(u, ring, i); },
+      [&](int v) { return reluctance.empty() ? 1.f : reluctance[v]; },
       [&](double fraction) { visitor.progress(fraction); });
     visitor.end_phase();
     geometry.renumber(mesh);
+    std::vector<Indexed_landmark<Point>> landmarks = problem.landmarks;
+    for (auto& l : landmarks)
+      l.vertex = mesh.number_of(rank[l.vertex]);
     visitor.start_phase("embed");
-    Coarse_to_fine_embedding<Geometry, ConcurrencyTag> embedding(mesh, geometry, options, target, shape_floor);
+    Coarse_to_fine_embedding<Geometry, ConcurrencyTag> embedding(mesh, geometry, options, shape_floor, landmarks);
     const bool embedded = embedding.run([&](double fraction) { visitor.progress(fraction); });
     visitor.end_phase();
-    if (embedded && finish(mesh, geometry, [&](int v) { return mesh.number_of(rank[v]); }))
+    if (embedded && attempt >= problem.rejected_attempts
+        && finish(mesh, geometry, [&](int v) { return mesh.number_of(rank[v]); }))
       return true;
     options.area_floor = attempt == 0 ? std::min(1., 10 * options.area_floor) : 1;
     shape_floor = attempt == 0 ? 1 : 100;

@@ -178,23 +178,23 @@ int next_on_border(const Soup& soup, const std::vector<int>& opposite, int h)
   return h;
 }
 
-// The number of vertices of each border loop.
+// The border loops: their vertices in the order of the border half-edges, the surface on the left.
 // Precondition: manifold vertices.
 template <class Soup>
-std::vector<int> border_loops(const Soup& soup, const std::vector<int>& opposite)
+std::vector<std::vector<int>> border_loops(const Soup& soup, const std::vector<int>& opposite)
 {
-  std::vector<int> length;
+  std::vector<std::vector<int>> loops;
   std::vector<char> done(opposite.size(), false);
   for (int begin = 0; begin < soup.number_of_half_edges(); ++begin) {
     if (opposite[begin] != -1 || done[begin])
       continue;
-    length.push_back(0);
+    loops.emplace_back();
     for (int h = begin; !done[h]; h = next_on_border(soup, opposite, h)) {
       done[h] = true;
-      ++length.back();
+      loops.back().push_back(soup.source(h));
     }
   }
-  return length;
+  return loops;
 }
 
 } // namespace internal

@@ -12,12 +12,14 @@
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/close_borders.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/embed.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh_to_triangles.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,15 +32,63 @@ Mesh_arrays mesh_arrays(const FaceListGraph& mesh, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  return mesh_to_triangles(mesh, choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                                  get_const_property_map(CGAL::vertex_point, mesh)));
+  Mesh_arrays a = mesh_to_triangles(mesh, choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                                           get_const_property_map(CGAL::vertex_point, mesh)));
+  close_borders(a, choose_parameter(get_parameter(np, internal_np::close_borders), Close_borders::NONE));
+  if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::vertex_weight_map_t>::value) {
+    const auto weight = get_parameter(np, internal_np::vertex_weight_map);
+    a.vertex_weight.assign(a.points.size(), 1.);
+    std::size_t i = 0;
+    for (const auto v : vertices(mesh)) {
+      CGAL_precondition(get(weight, v) >= 0);
+      if (a.index[i] >= 0)
+        a.vertex_weight[a.index[i]] = get(weight, v);
+      ++i;
+    }
+  }
+  return a;
 }
 
-// Embeds the mesh and certifies the result. Closed surfaces have apex -1. collect(mesh, geometry, number)
-// returns the map; as no uncertified map can be built, it throws when the embedding is wrong.
-template <class Atlas, class ConcurrencyTag, class NamedParameters, class Make_geometry, class Collect>
-Manifold_map<Atlas> certified_map(const std::vector<Eigen::Vector3d>& points,
-                                  const std::vector<Triangle>& triangles, int apex, const NamedParameters& np,
+// The positions in the arrays of some vertices of the mesh, in the order of the range.
+template <class FaceListGraph, class Vertex_range>
+std::vector<int> indices_of(const FaceListGraph& mesh, const Mesh_arrays& a, const Vertex_range& range)
+{
+  const auto index = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
+  std::size_t i = 0;
+  for (const auto v : vertices(mesh))
+    put(index, v, a.index[i++]);
+  std::vector<int> result;
+  for (const auto& v : range) {
+    result.push_back(get(index, v));
+    CGAL_precondition_msg(result.back() >= 0, "a vertex of no face");
+  }
+  return result;
+}
+
+// The landmarks among the named parameters, for the vertices of the arrays.
+template <class Point, class FaceListGraph, class NamedParameters>
+std::vector<Indexed_landmark<Point>> landmarks_of(const FaceListGraph& mesh, const Mesh_arrays& a,
+                                                  const NamedParameters& np)
+{
+  std::vector<Indexed_landmark<Point>> result;
+  if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::landmarks_t>::value) {
+    std::vector<typename boost::graph_traits<FaceListGraph>::vertex_descriptor> range;
+    for (const auto& l : CGAL::parameters::get_parameter_reference(np, internal_np::landmarks)) {
+      CGAL_precondition(l.weight >= 0);
+      range.push_back(l.vertex);
+      result.push_back({-1, l.point, l.weight});
+    }
+    const std::vector<int> index = indices_of(mesh, a, range);
+    for (std::size_t i = 0; i < index.size(); ++i)
+      result[i].vertex = index[i];
+  }
+  return result;
+}
+
+// Embeds the surface and certifies the result. collect(mesh, geometry, number) returns the map; as no
+// uncertified map can be built, it throws when the embedding is wrong.
+template <class Atlas, class ConcurrencyTag, class Point, class NamedParameters, class Make_geometry, class Collect>
+Manifold_map<Atlas> certified_map(const Embedding_problem<Point>& problem, const NamedParameters& np,
                                   const Make_geometry& make_geometry, const Collect& collect)
 {
   using CGAL::parameters::choose_parameter;
@@ -48,7 +98,7 @@ Manifold_map<Atlas> certified_map(const std::vector<Eigen::Vector3d>& points,
 
   std::optional<Manifold_map<Atlas>> result;
   const bool done = embed<ConcurrencyTag>(
-    points, triangles, apex, map_options(np), make_geometry,
+    problem, map_options(np), make_geometry,
     [&](const Collapse_hierarchy& mesh, auto& geometry, const auto& number) {
       visitor.start_phase("certify");
       try {
@@ -61,9 +111,8 @@ Manifold_map<Atlas> certified_map(const std::vector<Eigen::Vector3d>& points,
     },
     visitor);
   if (!done)
-    throw Numeric_error(Error_code::numeric_failure,
-                        "no embedding in double precision was found for the " + std::to_string(triangles.size())
-                        + " faces");
+    throw Numeric_error(Error_code::numeric_failure, "no embedding in double precision was found for the "
+                        + std::to_string(problem.triangles.size()) + " faces");
   return std::move(*result);
 }
 

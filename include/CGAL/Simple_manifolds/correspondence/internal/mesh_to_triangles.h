@@ -33,6 +33,9 @@ struct Mesh_arrays {
   std::vector<Eigen::Vector3d> points;
   std::vector<Triangle> triangles;
   std::vector<int> index;  // per vertex of the mesh, in iteration order: its position in points, or -1
+  std::size_t number_of_input_vertices = 0; // the first points; others close borders
+  std::size_t number_of_virtual_faces = 0;  // the last triangles, which close borders
+  std::vector<double> vertex_weight;        // relative area in the domain, per point; empty means all 1
   Mesh_topology topology;  // of the mesh with its polygons
 };
 
@@ -157,6 +160,7 @@ Mesh_arrays mesh_to_triangles(const FaceListGraph& mesh, const VertexPointMap& v
                            + " has a coordinate that is not finite", Mesh_element::vertex(v));
     arrays.points.push_back(points[v]);
   }
+  arrays.number_of_input_vertices = arrays.points.size();
   if (soup.number_of_half_edges() == 3 * soup.number_of_faces()) {
     for (int f = 0; f < soup.number_of_faces(); ++f)
       arrays.triangles.push_back({soup.source(3 * f), soup.source(3 * f + 1), soup.source(3 * f + 2)});

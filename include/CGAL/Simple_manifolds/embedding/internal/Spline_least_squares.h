@@ -131,12 +131,16 @@ private:
     const int n = controls_, d = degree_;
     Sparse_matrix a(n * n, n * n);
     a.reserve(std::size_t(n) * n * width_);
+    double largest = 0;
+    for(int column = 0; column < n * n; ++column)
+      largest = (std::max)(largest, matrix_[std::size_t(column) * width_ + d]);
+    const double least = 1e-6 * largest; // of a function that no pin sees: its correction is 0
     for(int i = 0; i < n; ++i)
       for(int j = 0; j < n; ++j) {
         const int column = i * n + j;
         const double* stencil = &matrix_[std::size_t(column) * width_];
         a.startVec(column);
-        a.insertBack(column, column) = (1 + ridge) * stencil[d];
+        a.insertBack(column, column) = stencil[d] + ridge * (std::max)(stencil[d], least);
         for(int s = 1; s <= d && j + s < n; ++s)
           a.insertBack(column + s, column) = stencil[d + s];
         for(int r = 1; r <= d && i + r < n; ++r)

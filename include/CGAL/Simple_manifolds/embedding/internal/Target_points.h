@@ -21,7 +21,7 @@ namespace Simple_manifolds {
 namespace internal {
 
 /// The points where the error of a fit is measured: all vertices, then three points in each face, with
-/// the charts that see them. What does not change during the refinement is computed once.
+/// the charts that see them. Virtual faces, which only close borders, are left out. What does not change during the refinement is computed once.
 template <class Map, class Bump>
 class Target_points {
 public:
@@ -38,17 +38,19 @@ public:
   using Partition = Partition_of_unity<Atlas, Bump>;
 
   Target_points(const Map& map, const Bump& bump)
-    : partition_(bump, map.atlas()), vertices_(map.number_of_vertices())
+    : partition_(bump, map.atlas())
   {
     const std::size_t n = map.number_of_vertices() + 3 * map.number_of_faces();
     domain_.reserve(n);
     target_.reserve(n);
     begin_.reserve(n + 1);
     begin_.push_back(0);
-    for(std::size_t v = 0; v < vertices_; ++v)
-      add(map.domain_point(v), map.point(v));
+    for(std::size_t v = 0; v < map.number_of_vertices(); ++v)
+      if(!map.is_virtual_vertex(v))
+        add(map.domain_point(v), map.point(v));
+    vertices_ = size();
     for(std::size_t f = 0; f < map.number_of_faces(); ++f)
-      for(int k = 0; k < 3; ++k) {
+      for(int k = 0; k < 3 && !map.is_virtual(f); ++k) {
         typename Map::Location location;
         location.face = int(f);
         location.barycentric.setConstant(1. / 6);
@@ -94,7 +96,7 @@ private:
   }
 
   Partition partition_;
-  std::size_t vertices_;
+  std::size_t vertices_ = 0;
   std::vector<Domain_point> domain_;
   std::vector<Eigen::Vector3d> target_;
   std::vector<std::size_t> begin_; // of the views of a point
