@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <random>
 #include <set>
 #include <utility>
@@ -43,26 +44,40 @@ inline void set_random_points(Triangle_mesh& mesh, int n, int kind, Random& rand
 // Flips random edges, where the mesh stays simplicial.
 inline void flip_random_edges(Triangle_mesh& mesh, int times, Random& random)
 {
-  const auto key = [](int a, int b) { return std::make_pair(std::min(a, b), std::max(a, b)); };
-  std::set<std::pair<int, int>> edges;
-  for (const auto& t : mesh.triangles)
+  std::map<std::pair<int, int>, int> face; // of each half-edge
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
     for (int k = 0; k < 3; ++k)
-      edges.insert(key(t[k], t[(k + 1) % 3]));
+      face[{mesh.triangles[f][k], mesh.triangles[f][(k + 1) % 3]}] = static_cast<int>(f);
   for (int i = 0; i < times; ++i) {
     const int f = random.below(static_cast<int>(mesh.triangles.size())), k = random.below(3);
     const int a = mesh.triangles[f][k], b = mesh.triangles[f][(k + 1) % 3], c = mesh.triangles[f][(k + 2) % 3];
-    for (auto& t : mesh.triangles)
-      for (int j = 0; j < 3; ++j) {
-        const int d = t[(j + 2) % 3];
-        if (t[j] != b || t[(j + 1) % 3] != a || d == c || edges.count(key(c, d)))
-          continue;
-        edges.erase(key(a, b));
-        edges.insert(key(c, d));
-        mesh.triangles[f] = {c, a, d};
-        t = {d, b, c};
-        goto flipped;
-      }
-  flipped:;
+    const auto other = face.find({b, a});
+    if (other == face.end())
+      continue; // an edge of the border
+    const int g = other->second;
+    int d = -1;
+    for (int v : mesh.triangles[g])
+      d = v != a && v != b ? v : d;
+    if (d == c || face.count({c, d}) || face.count({d, c}))
+      continue;
+    face.erase({a, b});
+    face.erase({b, a});
+    mesh.triangles[f] = {c, a, d};
+    mesh.triangles[g] = {d, b, c};
+    face[{a, d}] = face[{d, c}] = f;
+    face[{b, c}] = face[{c, d}] = g;
+  }
+}
+
+// Puts vertices into random faces; they have no points yet.
+inline void stack_random_vertices(Triangle_mesh& mesh, int first, int last, Random& random)
+{
+  for (int v = first; v < last; ++v) {
+    const int f = random.below(static_cast<int>(mesh.triangles.size()));
+    const auto t = mesh.triangles[f];
+    mesh.triangles[f] = {t[0], t[1], v};
+    mesh.triangles.push_back({t[1], t[2], v});
+    mesh.triangles.push_back({t[2], t[0], v});
   }
 }
 
@@ -71,13 +86,7 @@ inline Triangle_mesh random_sphere(int n, int flips, int kind, Random& random)
 {
   Triangle_mesh mesh;
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
-  for (int v = 4; v < n; ++v) {
-    const int f = random.below(static_cast<int>(mesh.triangles.size()));
-    const auto t = mesh.triangles[f];
-    mesh.triangles[f] = {t[0], t[1], v};
-    mesh.triangles.push_back({t[1], t[2], v});
-    mesh.triangles.push_back({t[2], t[0], v});
-  }
+  stack_random_vertices(mesh, 4, n, random);
   flip_random_edges(mesh, flips, random);
   set_random_points(mesh, n, kind, random);
   return mesh;
