@@ -5,6 +5,8 @@
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -267,16 +269,95 @@ TEST_CASE("The least squares reproduce a spline of their space")
   }
 }
 
+TEST_CASE("Where no pin has a weight the correction is zero and finite, elsewhere the fit is right")
+{
+  const int cells = 16, d = 3, n = cells + d;
+  const Vector3d rest(7, 8, 9);
+  const SM::Spline_patch start({0, 0, 1, 1}, d, n, n, std::vector<Vector3d>(n * n, rest));
+  std::vector<SM::internal::Pin> pins;
+  for(int i = 0; i < 3 * cells; ++i)
+    for(int j = 0; j < 3 * cells; ++j) {
+      const Vector2d uv((i + .5) / (3 * cells), (j + .5) / (3 * cells));
+      const bool is_hole = (uv - Vector2d(.5, .5)).norm() < .3;
+      pins.push_back({uv, wavy_sheet(uv), is_hole ? 0. : 1.});
+    }
+  SM::internal::Spline_least_squares solver(d, cells);
+  const SM::Spline_patch result = solver.correct(start, pins, 1e-7);
+  CHECK((result.point({.5, .5}) - rest).norm() < 1e-6);
+  for(const SM::internal::Pin& pin : pins)
+    if((pin.uv - Vector2d(.5, .5)).norm() > .3)
+      CHECK((result.point(pin.uv) - pin.target).norm() < 1e-3);
+}
+
+TEST_CASE("The grid of pins is centred in its cells, lies on the mesh and shares the weight of one")
+{
+  using Map = Analytic_map<SM::Plane_atlas>;
+  const Map map(wavy_sheet, 4);
+  const SM::internal::Pin_weights weights;
+  const int n = 12;
+  const auto pins =
+    SM::internal::grid_pins(map, SM::Partition_of_unity<SM::Plane_atlas>(), 0, n, weights);
+  REQUIRE(pins.size() == n * n);
+  double sum = 0;
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j) {
+      const SM::internal::Pin& pin = pins[i * n + j];
+      CHECK((pin.uv - Vector2d((i + .5) / n, (j + .5) / n)).norm() < 1e-15);
+      CHECK((pin.target - wavy_sheet(pin.uv)).norm() < 1e-15);
+      CHECK(pin.weight >= .5 / (n * n)); // at least half of the equal share, however small the mesh is there
+      sum += pin.weight;
+    }
+  CHECK(sum == Approx(std::pow(1 + weights.floor, 2)));
+
+  auto with_vertices = pins;
+  const SM::internal::Target_points<Map, SM::Smoothstep_bump<2>> points(map, SM::Smoothstep_bump<2>());
+  SM::internal::append_vertex_pins(points, 0, weights, with_vertices);
+  REQUIRE(with_vertices.size() == pins.size() + map.number_of_vertices());
+  double vertices = 0;
+  for(std::size_t k = pins.size(); k < with_vertices.size(); ++k)
+    vertices += with_vertices[k].weight;
+  CHECK(vertices == Approx(weights.vertices * std::pow(1 + weights.floor, 2)));
+}
+
+TEST_CASE("Charts stay near the mesh up to their borders, where the blend vanishes")
+{
+  const SM::Manifold_map<SM::Sphere_atlas> map = octahedron_map(4, bumpy_sphere);
+  const auto surface = fit_with(map, 19);
+  double worst = 0;
+  for(int c = 0; c < 6; ++c)
+    for(double u : {.01, .2, .5, .8, .99})
+      for(double v : {.01, .2, .5, .8, .99}) {
+        const SM::Chart_point a{c, Vector2d(u, v)};
+        const Vector3d x = map(map.atlas().point(a));
+        worst = (std::max)(worst, (surface.chart_embedding(c).point(a.uv) - x).norm() / map.diagonal());
+      }
+  CHECK(worst < .02);
+}
+
 TEST_CASE("The closest point of a point above the surface is its foot")
 {
   const Analytic_map<SM::Sphere_atlas> map(bumpy_sphere, 8);
   const auto surface = fit_with(map, 19);
   for(const Vector3d& p : random_domain_points<SM::Sphere_atlas>(100)) {
     const Vector3d x = surface.point(p) + .02 * surface.normal(p);
-    const Vector3d start = (p + .03 * Vector3d(p.y(), -p.z(), p.x())).normalized();
-    const double d = SM::internal::closest_point_distance(surface, start, x, 10);
-    CHECK(std::abs(d - .02) < 1e-4);
+    const Vector3d start = (p + .05 * p.unitOrthogonal()).normalized();
+    CHECK((surface.point(start) - x).norm() > .03);
+    CHECK(std::abs(SM::internal::closest_point_distance(surface, start, x) - .02) < 1e-6);
   }
+}
+
+TEST_CASE("One step finds the closest point of a sheared plane, also on its border")
+{
+  const Analytic_map<SM::Plane_atlas> map(
+    [](const Vector2d& p) { return Vector3d(p.x() + 2 * p.y(), p.y(), 0); }, 8);
+  const auto surface = fit_with(map, 7);
+  const double inside = SM::internal::closest_point_distance(
+    surface, Vector2d(.5, .5), Vector3d(.52 + 2 * .47, .47, .3), 1);
+  CHECK(inside == Approx(.3));
+  // beyond the edge v = 1: the foot is the corner's neighbour on the edge
+  const double outside = SM::internal::closest_point_distance(
+    surface, Vector2d(.5, .98), Vector3d(2.5, 1.25, 0), 8);
+  CHECK(outside == Approx(.25));
 }
 
 TEST_CASE("Surfaces fitted to a real mesh do not wiggle between the pins")

@@ -197,7 +197,7 @@ private:
   }
 
   // adds w and w E_c, seen through psi
-  [[gnu::flatten]] static void add(const Scalar_jet& w, const Jet& e, const Transition_jet& psi,
+  static void add(const Scalar_jet& w, const Jet& e, const Transition_jet& psi,
                                    Scalar_jet& weight, Jet& sum)
   {
     weight += compose(w, psi);

@@ -55,11 +55,11 @@ public:
     CGAL_precondition(coefficients.size() == number_of_coefficients());
     per_cell_u_ = (nu - degree) / (support[2] - support[0]);
     per_cell_v_ = (nv - degree) / (support[3] - support[1]);
-    controls_.assign(std::size_t(nu + 2 * degree) * row(), Eigen::Vector4d::Zero());
+    controls_.assign(std::size_t(nu + 2 * degree) * row(), Quad());
     for(std::size_t k = 0; k < coefficients.size(); ++k) {
       const int index = indices_.empty() ? int(k) : indices_[k];
       CGAL_precondition(index >= 0 && index < nu * nv);
-      controls_[place(index)] << coefficients[k], 0;
+      controls_[place(index)] = {coefficients[k].x(), coefficients[k].y(), coefficients[k].z(), 0};
     }
   }
 
@@ -82,7 +82,7 @@ public:
   {
     std::vector<Eigen::Vector3d> c(number_of_coefficients());
     for(std::size_t k = 0; k < c.size(); ++k)
-      c[k] = controls_[place(indices_.empty() ? int(k) : indices_[k])].head<3>();
+      c[k] = controls_[place(indices_.empty() ? int(k) : indices_[k])].vector();
     return c;
   }
 
@@ -90,7 +90,7 @@ public:
   Eigen::Vector3d coefficient(int i, int j) const
   {
     CGAL_precondition(i >= 0 && i < nu_ && j >= 0 && j < nv_);
-    return controls_[place(i * nv_ + j)].head<3>();
+    return controls_[place(i * nv_ + j)].vector();
   }
 
   /// Whether (u,v) is inside the support of the patch, which is larger than its rectangle.
@@ -126,7 +126,7 @@ public:
     std::vector<Eigen::Vector3d> full(std::size_t(mu) * mv, Eigen::Vector3d::Zero());
     for_each_two_scale(nu_, mu, [&](int i, int k, double c) {
       for(int j = 0; j < nv_; ++j)
-        half[std::size_t(k) * nv_ + j] += c * controls_[place(i * nv_ + j)].head<3>();
+        half[std::size_t(k) * nv_ + j] += c * controls_[place(i * nv_ + j)].vector();
     });
     for_each_two_scale(nv_, mv, [&](int j, int l, double c) {
       for(int k = 0; k < mu; ++k)
@@ -137,7 +137,7 @@ public:
 
 private:
   // The controls lie in a grid with a frame of `degree` zeros, so that evaluation needs no tests, and
-  // have a fourth coordinate, so that they are aligned.
+  // have a fourth coordinate, which lets the compiler use packets of two.
   int row() const { return nv_ + 2 * degree_; }
   std::size_t place(int index) const
   {
@@ -168,26 +168,41 @@ private:
     return x.x() > 0 && x.x() < nu_ + degree_ && x.y() > 0 && x.y() < nv_ + degree_;
   }
 
-  // flatten: at -O2 the compiler leaves Eigen's operations on four numbers as function calls, 3 times slower
+  // Four numbers. Eigen's operations on Vector4d remain function calls at -O2, three times slower here;
+  // forcing them inline makes compilation with sanitizers explode.
+  struct Quad {
+    double x = 0, y = 0, z = 0, w = 0;
+
+    void add(double f, const Quad& q)
+    {
+      x += f * q.x;
+      y += f * q.y;
+      z += f * q.z;
+      w += f * q.w;
+    }
+    Eigen::Vector3d times(double f) const { return {f * x, f * y, f * z}; }
+    Eigen::Vector3d vector() const { return {x, y, z}; }
+  };
+
   template <int D>
-  [[gnu::flatten]] Eigen::Vector3d position(const Eigen::Vector2d& x) const
+  Eigen::Vector3d position(const Eigen::Vector2d& x) const
   {
     using Basis = Bspline_basis<D>;
     const int i = int(x.x()), j = int(x.y()); // positive: int() is floor()
     const typename Basis::Values a = Basis::values(x.x() - i), b = Basis::values(x.y() - j);
-    const Eigen::Vector4d* c = &controls_[std::size_t(i) * row() + j];
-    Eigen::Vector4d e = Eigen::Vector4d::Zero();
+    const Quad* c = &controls_[std::size_t(i) * row() + j];
+    Quad e;
     for(int r = 0; r <= D; ++r, c += row()) {
-      Eigen::Vector4d s = b[0] * c[0];
-      for(int k = 1; k <= D; ++k)
-        s += b[k] * c[k];
-      e += a[r] * s;
+      Quad s;
+      for(int k = 0; k <= D; ++k)
+        s.add(b[k], c[k]);
+      e.add(a[r], s);
     }
-    return e.head<3>();
+    return e.vector();
   }
 
   template <int D, int Order>
-  [[gnu::flatten]] Jet derivatives(const Eigen::Vector2d& x) const
+  Jet derivatives(const Eigen::Vector2d& x) const
   {
     static_assert(Order == 1 || Order == 2, "a jet has order 1 or 2");
     using Basis = Bspline_basis<D>;
@@ -196,35 +211,34 @@ private:
     const double t = x.x() - i, w = x.y() - j;
     const Values a = Basis::values(t), a1 = Basis::first(t), a2 = Basis::second(t);
     const Values b = Basis::values(w), b1 = Basis::first(w), b2 = Basis::second(w);
-    const Eigen::Vector4d* c = &controls_[std::size_t(i) * row() + j];
-    Eigen::Vector4d e = Eigen::Vector4d::Zero(), u = e, v = e, uu = e, uv = e, vv = e;
+    const Quad* c = &controls_[std::size_t(i) * row() + j];
+    Quad e, u, v, uu, uv, vv;
     for(int r = 0; r <= D; ++r, c += row()) {
-      Eigen::Vector4d s = b[0] * c[0], s1 = b1[0] * c[0], s2 = b2[0] * c[0];
-      for(int k = 1; k <= D; ++k) {
-        s += b[k] * c[k];
-        s1 += b1[k] * c[k];
+      Quad s, s1, s2;
+      for(int k = 0; k <= D; ++k) {
+        s.add(b[k], c[k]);
+        s1.add(b1[k], c[k]);
         if constexpr (Order == 2)
-          s2 += b2[k] * c[k];
+          s2.add(b2[k], c[k]);
       }
-      e += a[r] * s;
-      u += a1[r] * s;
-      v += a[r] * s1;
+      e.add(a[r], s);
+      u.add(a1[r], s);
+      v.add(a[r], s1);
       if constexpr (Order == 2) {
-        uu += a2[r] * s;
-        uv += a1[r] * s1;
-        vv += a[r] * s2;
+        uu.add(a2[r], s);
+        uv.add(a1[r], s1);
+        vv.add(a[r], s2);
       }
     }
     const double p = per_cell_u_, q = per_cell_v_;
-    return {e.head<3>(), p * u.head<3>(), q * v.head<3>(),
-            p * p * uu.head<3>(), p * q * uv.head<3>(), q * q * vv.head<3>()};
+    return {e.vector(), u.times(p), v.times(q), uu.times(p * p), uv.times(p * q), vv.times(q * q)};
   }
 
   Support support_;
   int degree_, nu_, nv_;
   std::vector<int> indices_;
   double per_cell_u_, per_cell_v_; // cells per unit of u and v
-  std::vector<Eigen::Vector4d> controls_;
+  std::vector<Quad> controls_;
 };
 
 } // namespace Simple_manifolds

@@ -56,8 +56,8 @@ struct Fit_options {
 /// \tparam Map   a model of `ManifoldMap`. Used are: the types `Atlas`, `Domain_point` and `Location`
 ///               (default constructible, with members `face` and `barycentric`), and the members
 ///               `atlas()`, `number_of_vertices()`, `number_of_faces()`, `point(v)`, `domain_point(v)`,
-///               `is_virtual(f)`, `is_virtual_vertex(v)`, `diagonal()`, `to_domain(location)`, `position(location)` and
-///               `to_mesh(p, face_hint)`, where the hint -1 is none.
+///               `is_virtual(f)`, `is_virtual_vertex(v)`, `diagonal()`, `to_domain(location)`,
+///               `position(location)` and `to_mesh(p, face_hint)`, where the hint -1 is none.
 /// \tparam Bump  a model of `BumpFunction`
 template <class Map, class Bump = Smoothstep_bump<2>>
 class Surface_fitter {
@@ -158,7 +158,8 @@ private:
       report_.seconds.sampling += seconds_since(sampling);
 
       const Clock::time_point solving = Clock::now();
-      internal::Spline_least_squares& solver = solvers.try_emplace(n, options_.spline_degree, n).first->second;
+      internal::Spline_least_squares& solver =
+        solvers.try_emplace(n, options_.spline_degree, n).first->second;
       charts[c] = Patch_stack_embedding({solver.correct(charts[c].patches()[0], pins, ridge)});
       report_.seconds.solving += seconds_since(solving);
 

@@ -50,8 +50,9 @@ std::vector<Pin> grid_pins(const Map& map, const Partition_of_unity<typename Map
       for(const auto& w : partition.weights(p))
         if(w.point.chart == chart)
           b += w.weight;
-      // Nothing is known of the surface where a border was closed.
-      pins[std::size_t(i) * n + j] = {at.uv, map.position(location), map.is_virtual(location.face) ? 0 : b * b};
+      if(map.is_virtual(location.face))
+        b = 0; // nothing is known of the surface where a border was closed
+      pins[std::size_t(i) * n + j] = {at.uv, map.position(location), b * b};
     }
 
   const auto x = [&](int i, int j) -> const Eigen::Vector3d& {

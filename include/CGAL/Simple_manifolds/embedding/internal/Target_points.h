@@ -21,7 +21,8 @@ namespace Simple_manifolds {
 namespace internal {
 
 /// The points where the error of a fit is measured: all vertices, then three points in each face, with
-/// the charts that see them. Virtual faces, which only close borders, are left out. What does not change during the refinement is computed once.
+/// the charts that see them. Virtual faces, which only close borders, are left out. What does not change
+/// during the refinement is computed once.
 template <class Map, class Bump>
 class Target_points {
 public:
