@@ -1,0 +1,265 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_CRITERIA_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_CRITERIA_H
+
+#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/distortion.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/Splittable_mesh.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/lifts.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// How the star of one vertex lies in the charts (criteria 2 to 4 of Grimm 2002, section 5.1).
+struct Star_criteria {
+  /// The chart that contains the vertex and its neighbours, of several the one whose border is farthest
+  /// from them in chart coordinates; -1 where there is none. (Criterion 2: there is one.)
+  int chart = -1;
+  /// Criterion 3: in the coordinates of that chart, the polygon of the neighbours goes round the vertex.
+  /// Vertices on the border of the square belong to their polygon.
+  bool contains_vertex = false;
+  bool is_convex = false; ///< criterion 4: the polygon is convex; three vertices in line are
+};
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The four criteria of Grimm 2002, section 5.1, for a good correspondence. The first three can be met, see
+/// `balance()` and `refine()`; the fourth is an ideal that the paper does not reach either.
+struct Criteria_report {
+  Chart_report charts;                   ///< criterion 1: the vertices per chart; totals of criterion 2
+  double largest_deviation = 0;          ///< of a count from the mean, over the mean; the paper asks for 0.2
+  std::vector<Star_criteria> stars;      ///< per vertex; for a vertex of no face the default
+  std::size_t vertices = 0;              ///< of faces
+  std::size_t vertices_outside = 0;      ///< a chart contains the star, but the polygon not the vertex
+  std::size_t convex_stars = 0;
+  std::vector<int> first_without_chart;  ///< up to 16 vertices that violate criterion 2
+  std::vector<int> first_outside;        ///< up to 16 vertices that violate criterion 3
+
+  /// Criterion 4 as a share of the vertices.
+  double convex_share() const { return vertices > 0 ? double(convex_stars) / vertices : 0; }
+
+  /// Whether criteria 2 and 3 hold at each vertex.
+  bool holds_at_each_vertex() const { return charts.stars_without_chart + vertices_outside == 0; }
+
+  /// The numbers in one sentence.
+  std::string sentence() const
+  {
+    const auto rounded = [](double x) {
+      const std::string s = std::to_string(x);
+      return s.substr(0, s.size() - 3);
+    };
+    return "vertices per chart: coefficient of variation " + rounded(charts.variation)
+         + ", largest deviation " + rounded(largest_deviation) + "; of " + std::to_string(vertices)
+         + " vertices "
+         + std::to_string(charts.stars_without_chart) + " have no chart for their star and "
+         + std::to_string(vertices_outside) + " lie outside of its polygon, "
+         + rounded(100 * convex_share()) + " % of the polygons are convex";
+  }
+};
+
+namespace internal {
+
+// A chart and how far its border is from a star, in chart coordinates.
+struct Star_chart {
+  int chart = -1;
+  double margin = 0;
+  void offer(int c, double m)
+  {
+    if (m > margin) {
+      chart = c;
+      margin = m;
+    }
+  }
+};
+
+inline double distance_to_border(const Eigen::Vector2d& uv)
+{
+  return std::min(uv.minCoeff(), 1 - uv.maxCoeff());
+}
+
+inline Star_chart chart_of_star(const Sphere_atlas& atlas, const Eigen::Vector3d& p,
+                                const std::vector<Eigen::Vector3d>& ring)
+{
+  Chart_mask mask = charts_of_point(atlas, p);
+  for (const auto& r : ring)
+    if (mask != 0)
+      mask &= charts_of_point(atlas, r);
+  Star_chart best;
+  for (int c = 0; c < Sphere_atlas::number_of_charts; ++c) {
+    if ((mask >> c & 1) == 0)
+      continue;
+    double margin = distance_to_border(atlas.coordinates(c, p));
+    for (const auto& r : ring)
+      margin = std::min(margin, distance_to_border(atlas.coordinates(c, r)));
+    best.offer(c, margin);
+  }
+  return best;
+}
+inline Star_chart chart_of_star(const Torus_atlas& atlas, const Eigen::Vector2d& p,
+                                const std::vector<Eigen::Vector2d>& ring)
+{
+  Eigen::Vector2d low(0, 0), high(0, 0);
+  for (const auto& r : ring) {
+    const Eigen::Vector2d d = shortest_difference(p, r);
+    low = low.cwiseMin(d);
+    high = high.cwiseMax(d);
+  }
+  const Chart_mask mask = charts_of_box(p, low, high);
+  Star_chart best;
+  for (int c = 0; c < Torus_atlas::number_of_charts; ++c) {
+    if ((mask >> c & 1) == 0)
+      continue;
+    const Eigen::Vector2d uv = atlas.coordinates(c, p);
+    // Positive, as the mask says; not always after rounding.
+    best.offer(c, std::max(1e-300, std::min((uv + 1.5 * low).minCoeff(), 1 - (uv + 1.5 * high).maxCoeff())));
+  }
+  return best;
+}
+inline Star_chart chart_of_star(const Plane_atlas&, const Eigen::Vector2d&,
+                                const std::vector<Eigen::Vector2d>&)
+{
+  return {0, 1};
+}
+
+// The vectors from p to the ring in coordinates of the chart (on the torus up to its factor 3/2).
+inline void star_in_chart(const Sphere_atlas& atlas, int chart, const Eigen::Vector3d& p,
+                          const std::vector<Eigen::Vector3d>& ring, std::vector<Eigen::Vector2d>& result)
+{
+  const Eigen::Vector2d centre = atlas.coordinates(chart, p);
+  result.clear();
+  for (const auto& r : ring)
+    result.push_back(atlas.coordinates(chart, r) - centre);
+}
+template <class Atlas>
+void star_in_chart(const Atlas&, int, const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& ring,
+                   std::vector<Eigen::Vector2d>& result)
+{
+  result.clear();
+  for (const auto& r : ring)
+    if constexpr (Atlas::is_closed)
+      result.push_back(shortest_difference(p, r));
+    else
+      result.push_back(r - p);
+}
+
+// Whether the polygon turns left or goes straight at each corner and all of it is seen from the origin.
+// Points in line are no longer quite so in chart coordinates.
+inline bool is_convex_round_origin(std::vector<Eigen::Vector2d> polygon, bool is_closed)
+{
+  constexpr double tolerance = 1e-12;
+  const auto turns_left = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return cross(a, b) >= -tolerance * a.norm() * b.norm();
+  };
+  if (!is_closed)
+    polygon.emplace_back(0, 0);
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::Vector2d &a = polygon[i], &b = polygon[(i + 1) % n], &c = polygon[(i + 2) % n];
+    if (!turns_left(a, b) || !turns_left(b - a, c - b))
+      return false;
+  }
+  return true;
+}
+
+// Criteria 2 to 4 for a vertex at p.
+template <class Atlas, class Point>
+Star_criteria star_criteria(const Atlas& atlas, const Point& p, const std::vector<Point>& ring,
+                            bool is_closed)
+{
+  Star_criteria s;
+  s.chart = chart_of_star(atlas, p, ring).chart;
+  if (s.chart == -1)
+    return s;
+  std::vector<Eigen::Vector2d> star;
+  star_in_chart(atlas, s.chart, p, ring, star);
+  double turn = 0;
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    const Eigen::Vector2d &a = star[i], &b = star[(i + 1) % star.size()];
+    turn += std::atan2(cross(a, b), a.dot(b));
+  }
+  s.contains_vertex = !is_closed || turn > 3.14159265358979323846; // a multiple of 2 pi
+  s.is_convex = s.contains_vertex && is_convex_round_origin(std::move(star), is_closed);
+  return s;
+}
+
+} // namespace internal
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// Measures the four criteria of Grimm 2002, section 5.1. Linear time.
+///
+/// \param atlas  the canonical surface
+/// \param domain_points  one per vertex
+/// \param faces  a manifold, with border on the square only
+template <class Atlas>
+Criteria_report criteria_report(const Atlas& atlas,
+                                const std::vector<typename Atlas::Domain_point>& domain_points,
+                                const std::vector<Triangle>& faces)
+{
+  constexpr std::size_t longest_list = 16;
+  Criteria_report report;
+  report.charts = chart_report(atlas, domain_points, faces);
+  const internal::Splittable_mesh mesh(static_cast<int>(domain_points.size()), faces);
+  report.stars.resize(domain_points.size());
+  std::vector<int> neighbours;
+  std::vector<typename Atlas::Domain_point> ring;
+  for (int v = 0; v < mesh.number_of_vertices(); ++v) {
+    if (mesh.is_isolated(v))
+      continue;
+    ++report.vertices;
+    const bool is_closed = mesh.ring(v, neighbours);
+    ring.clear();
+    for (int w : neighbours)
+      ring.push_back(domain_points[w]);
+    const Star_criteria s = internal::star_criteria(atlas, domain_points[v], ring, is_closed);
+    report.stars[v] = s;
+    report.convex_stars += s.is_convex;
+    if (s.chart == -1) {
+      if (report.first_without_chart.size() < longest_list)
+        report.first_without_chart.push_back(v);
+    }
+    else if (!s.contains_vertex) {
+      ++report.vertices_outside;
+      if (report.first_outside.size() < longest_list)
+        report.first_outside.push_back(v);
+    }
+  }
+  const double mean = double(report.vertices) / Atlas::number_of_charts;
+  if (mean > 0)
+    for (std::size_t n : report.charts.chart_counts)
+      report.largest_deviation = std::max(report.largest_deviation, std::abs(n / mean - 1));
+  return report;
+}
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The same for a map: any class with the members `atlas`, `domain_points` and `faces`.
+template <class Map>
+Criteria_report criteria_report(const Map& map)
+{
+  return criteria_report(map.atlas(), map.domain_points(), map.faces());
+}
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_CRITERIA_H

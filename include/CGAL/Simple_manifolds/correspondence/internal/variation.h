@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_VARIATION_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_VARIATION_H
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+// The standard deviation of counts over their mean.
+template <std::size_t N>
+double variation(const std::array<std::size_t, N>& counts)
+{
+  double mean = 0, variance = 0;
+  for (std::size_t n : counts)
+    mean += double(n) / N;
+  for (std::size_t n : counts)
+    variance += (n - mean) * (n - mean) / N;
+  return std::sqrt(variance) / mean;
+}
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_VARIATION_H
