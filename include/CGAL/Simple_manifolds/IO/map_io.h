@@ -91,7 +91,8 @@ Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
 /// Writes a map as a PLY file: per vertex the position `x y z` and the domain point `domain_x domain_y
 /// domain_z` (sphere) or `domain_u domain_v` (torus, plane), all as doubles; per face the vertices and
 /// `chart`, a chart that contains the face, or -1. The comments name the atlas, the number of input
-/// vertices, which come first, and of virtual faces, which come last. What is read back is the same to the last bit, and so is its certificate.
+/// vertices, which come first, and of virtual faces, which come last. What is read back is the same to
+/// the last bit, and so is its certificate.
 ///
 /// \param np  `use_binary_mode` (default: true; false writes text)
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
