@@ -11,12 +11,13 @@
 
 namespace SM = CGAL::Simple_manifolds;
 
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
 
 int main()
 {
   Mesh mesh;
-  CGAL::make_icosahedron(mesh);
+  CGAL::make_icosahedron<Mesh, Point>(mesh);
   const auto map = SM::map_to_sphere(mesh);
   const auto surface = SM::fit_surface(map, SM::parameters::rms_error(0.1));
   const double curvature = surface.mean_curvature(map.domain_point(0));
