@@ -38,6 +38,8 @@ public:
   {
     add("output,o", po::value<std::string>()->required(), "where to write (required)");
     add("method", po::value<std::string>()->default_value("certified"), "how to map: certified, paper");
+    add("close-borders", po::value<std::string>()->default_value("none"),
+        "border loops to close by virtual faces: none, inner (all but the longest), all");
     add("threads", po::value<int>(), "threads to use; results do not depend on it");
     add("quiet,q", po::bool_switch(), "print nothing but errors");
     add("help,h", po::bool_switch(), "print this and end");
@@ -70,6 +72,7 @@ public:
     if (!values_.count("input")) throw Usage_error("no INPUT is given");
     po::notify(values_);
     require_choice("method", {"certified", "paper"});
+    require_choice("close-borders", {"none", "inner", "all"});
     not_yet(get<std::string>("method") == "paper", "--method paper");
     limit_threads();
   }

@@ -143,7 +143,7 @@ int main(int argc, char** argv)
     Progress progress(options.get<bool>("quiet"));
     const auto any_map = watch.time("map", [&] {
       return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
-        input.mesh, CGAL::parameters::visitor(std::ref(progress)));
+        input.mesh, SM::parameters::close_borders(close_borders(options)).visitor(std::ref(progress)));
     });
     return std::visit([&](const auto& map) {
       return with_bump(request.smoothness, [&](const auto& bump) {

@@ -4,12 +4,31 @@
 
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
+#include <CGAL/Simple_manifolds/correspondence/balance.h>
+#include <CGAL/Simple_manifolds/correspondence/criteria.h>
+#include <CGAL/Simple_manifolds/correspondence/refine.h>
 
 #include <functional>
 #include <optional>
 #include <variant>
 
 using namespace tools;
+
+namespace {
+
+// The paper's four criteria of a good correspondence.
+template <class Map>
+Json metrics_of_criteria(const Map& map)
+{
+  const SM::Criteria_report r = SM::criteria_report(map);
+  return {{"chart_variation", r.charts.variation},
+          {"largest_deviation", r.largest_deviation},
+          {"stars_without_chart", r.charts.stars_without_chart},
+          {"vertices_outside_of_their_star", r.vertices_outside},
+          {"convex_share", r.convex_share()}};
+}
+
+} // namespace
 
 int main(int argc, char** argv)
 {
@@ -23,6 +42,10 @@ int main(int argc, char** argv)
                 "the distortion to minimise: symmetric_dirichlet, amips");
     options.add("lambda", po::value<double>()->default_value(SM::Map_options().lambda, "0.3"),
                 "weight of area against angle in amips");
+    options.add("area-floor", po::value<double>()->default_value(SM::Map_options().area_floor, "0.05"),
+                "share of uniform area in the target areas, above 0, at most 1");
+    options.add("effort", po::value<std::string>()->default_value("default"),
+                "how long the map is relaxed: fast, default, quality");
     options.add("balance", po::bool_switch(), "give the charts equal numbers of vertices");
     options.add("refine", po::bool_switch(), "split edges so that every star lies in a chart");
     options.add("metrics", po::value<std::string>(), "also write figures to this JSON file");
@@ -30,8 +53,10 @@ int main(int argc, char** argv)
     options.require_choice("energy", {"symmetric_dirichlet", "amips"});
     const double lambda = options.get<double>("lambda");
     options.require(lambda > 0 && std::isfinite(lambda), "lambda", "a positive number");
-    Command_line::not_yet(options.get<bool>("balance"), "--balance");
-    Command_line::not_yet(options.get<bool>("refine"), "--refine");
+    const double area_floor = options.get<double>("area-floor");
+    options.require(area_floor > 0 && area_floor <= 1, "area-floor", "above 0 and at most 1");
+    options.require_choice("effort", {"fast", "default", "quality"});
+    const std::string effort = options.get<std::string>("effort");
     const bool is_amips = options.get<std::string>("energy") == "amips";
     const bool is_quiet = options.get<bool>("quiet");
     const std::string file = options.get<std::string>("output");
@@ -39,18 +64,31 @@ int main(int argc, char** argv)
     Stopwatch watch;
     const Input input = watch.time("read", [&] { return read_input(options); });
     Progress progress(is_quiet);
-    const auto any_map = watch.time("map", [&] {
+    SM::Any_map any_map = watch.time("map", [&] {
       return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
         input.mesh, SM::parameters::energy(is_amips ? SM::Energy::AMIPS : SM::Energy::SYMMETRIC_DIRICHLET)
-                      .energy_lambda(lambda).visitor(std::ref(progress)));
+                      .energy_lambda(lambda).area_floor(area_floor)
+                      .effort(effort == "fast" ? SM::Effort::FAST : effort == "quality" ? SM::Effort::QUALITY
+                                                                                       : SM::Effort::DEFAULT)
+                      .close_borders(close_borders(options)).visitor(std::ref(progress)));
     });
+    const auto np = CGAL::parameters::visitor(std::ref(progress));
+    const auto improve = [&](const char* phase, const auto& f) { // f: a map to a map of the same surface
+      if (options.get<bool>(phase))
+        watch.time(phase, [&] { std::visit([&](auto& map) { map = f(map); }, any_map); });
+    };
+    improve("balance", [&](const auto& map) { return SM::balance(map, np); });
+    improve("refine", [&](const auto& map) { return SM::refine(map, np); });
 
     return std::visit([&](const auto& map) -> int {
       Json metrics;
       metrics["input"] = metrics_of_input(input, map);
       metrics["map"] = metrics_of_map(map, watch);
       metrics["parameters"] = {{"method", "certified"}, {"energy", options.get<std::string>("energy")},
-                               {"lambda", lambda}};
+                               {"lambda", lambda}, {"area_floor", area_floor}, {"effort", effort},
+                               {"balance", options.get<bool>("balance")},
+                               {"refine", options.get<bool>("refine")}};
+      metrics["map"]["criteria"] = metrics_of_criteria(map);
       std::optional<SM::Atomic_file> metrics_file; // opened first: no map without its metrics
       if (options.has("metrics")) metrics_file.emplace(options.get<std::string>("metrics"));
       watch.time("write", [&] { SM::write_map(file, map); });

@@ -162,6 +162,13 @@ inline Input read_input(const Command_line& options)
   return input;
 }
 
+inline SM::Close_borders close_borders(const Command_line& options)
+{
+  const std::string which = options.get<std::string>("close-borders");
+  return which == "inner" ? SM::Close_borders::INNER : which == "all" ? SM::Close_borders::ALL
+                                                                      : SM::Close_borders::NONE;
+}
+
 /// A number for JSON, which knows no infinity.
 inline Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
@@ -191,6 +198,7 @@ Json metrics_of_map(const Map& map, Stopwatch& watch)
   return {{"atlas", Map::Atlas::name},
           {"vertices", map.number_of_vertices()},
           {"faces", map.number_of_faces()},
+          {"virtual_faces", map.number_of_virtual_faces()},
           {"flipped", certificate.flipped},
           {"degree", certificate.degree},
           {"angle", number(d.angle_mean)},

@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/correspondence/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/domain_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/variation.h>
 
 #include <CGAL/assertions.h>
 
@@ -267,17 +268,14 @@ Chart_report chart_report(const Atlas& atlas, const std::vector<typename Atlas::
     report.faces_without_chart
       += internal::charts_of_face(atlas, domain_points[t[0]], domain_points[t[1]], domain_points[t[2]]) == 0;
 
-  double mean = 0, variance = 0, largest = 0;
-  for (std::size_t n : report.chart_counts)
-    mean += n;
-  mean /= Atlas::number_of_charts;
+  std::size_t sum = 0, largest = 0;
   for (std::size_t n : report.chart_counts) {
-    variance += (n - mean) * (n - mean) / Atlas::number_of_charts;
-    largest = std::max(largest, double(n));
+    sum += n;
+    largest = std::max(largest, n);
   }
-  if (mean > 0) {
-    report.variation = std::sqrt(variance) / mean;
-    report.largest_over_mean = largest / mean;
+  if (sum > 0) {
+    report.variation = internal::variation(report.chart_counts);
+    report.largest_over_mean = static_cast<double>(largest * Atlas::number_of_charts) / static_cast<double>(sum);
   }
   return report;
 }

@@ -8,7 +8,6 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_VARIATION_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_VARIATION_H
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -17,14 +16,15 @@ namespace Simple_manifolds {
 namespace internal {
 
 // The standard deviation of counts over their mean.
-template <std::size_t N>
-double variation(const std::array<std::size_t, N>& counts)
+template <class Counts>
+double variation(const Counts& counts)
 {
+  const double N = static_cast<double>(counts.size());
   double mean = 0, variance = 0;
   for (std::size_t n : counts)
-    mean += double(n) / N;
+    mean += static_cast<double>(n) / N;
   for (std::size_t n : counts)
-    variance += (n - mean) * (n - mean) / N;
+    variance += (static_cast<double>(n) - mean) * (static_cast<double>(n) - mean) / N;
   return std::sqrt(variance) / mean;
 }
 
