@@ -1,5 +1,5 @@
-// Surfaces that are hard to map: long, thin, crowded, degenerate or without any sensible shape; all from fixed
-// generators. The names say what they are, `stress_cases()` lists them.
+// Surfaces that are hard to map: long, thin, crowded, degenerate or without any sensible shape; all from
+// fixed generators. The names say what they are, `sphere_cases()` and its like list them.
 
 #ifndef SIMPLE_MANIFOLDS_TEST_STRESS_STRESS_SURFACES_H
 #define SIMPLE_MANIFOLDS_TEST_STRESS_STRESS_SURFACES_H

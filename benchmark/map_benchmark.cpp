@@ -1,0 +1,353 @@
+// Times, memory and distortion of maps over size, domain, threads, effort and energy, as CSV; on disks also
+// CGAL's own parameterizers in the same run. See README.md in this folder.
+
+#include <CGAL/Polygon_mesh_processing/measure.h> // longest_border()
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <CGAL/Simple_manifolds/IO/read_mesh.h>
+#include <CGAL/Simple_manifolds/Visitor.h>
+#include <CGAL/Simple_manifolds/correspondence/distortion.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
+
+#include <boost/program_options.hpp>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace {
+
+namespace SM = CGAL::Simple_manifolds;
+namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace po = boost::program_options;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; } // of all threads
+double wall_seconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Processor seconds by phase.
+struct Phase_clock : SM::Default_visitor {
+  void start_phase(const char* name)
+  {
+    phase_ = name;
+    start_ = cpu_seconds();
+  }
+  void end_phase() { seconds[phase_] += cpu_seconds() - start_; }
+
+  std::map<std::string, double> seconds;
+
+private:
+  std::string phase_;
+  double start_ = 0;
+};
+
+/// How much the memory of the process grows, at its peak; only Linux tells.
+class Memory_clock {
+public:
+  Memory_clock()
+  {
+#if defined(__GLIBC__)
+    malloc_trim(0);
+#endif
+    std::ofstream("/proc/self/clear_refs") << 5; // the peak begins anew
+    start_ = kilobytes("VmRSS:");
+  }
+  double bytes() const { return 1024 * (kilobytes("VmHWM:") - start_); }
+
+private:
+  static double kilobytes(const std::string& key)
+  {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+      if (line.compare(0, key.size(), key) == 0)
+        return std::stod(line.substr(key.size()));
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+  double start_;
+};
+
+struct Row {
+  std::string mesh, domain, method;
+  std::size_t faces = 0;
+  int threads = 1;
+  std::string energy, effort;
+  double lambda = 0, wall = 0, cpu = 0, decimate = 0, embed = 0, certify = 0, bytes_per_face = 0;
+  double queries_per_second = 0;
+  std::size_t not_positive = 0;
+  SM::Distortion distortion;
+};
+
+class Table {
+public:
+  explicit Table(const std::string& file) : out_(file)
+  {
+    out_ << "mesh,domain,method,faces,threads,energy,lambda,effort,wall_s,cpu_s,decimate_cpu_s,embed_cpu_s,"
+            "certify_cpu_s,bytes_per_face,queries_per_cpu_s,faces_not_positive,angle,area,efficiency,"
+            "symmetric_dirichlet,smallest_area\n";
+    if (!out_)
+      throw std::runtime_error("cannot write " + file);
+  }
+
+  void add(const Row& r)
+  {
+    out_ << r.mesh << ',' << r.domain << ',' << r.method << ',' << r.faces << ',' << r.threads << ','
+         << r.energy << ',' << r.lambda << ',' << r.effort << ',' << r.wall << ',' << r.cpu << ',' << r.decimate << ','
+         << r.embed << ',' << r.certify << ',' << r.bytes_per_face << ',' << r.queries_per_second << ','
+         << r.not_positive << ',' << r.distortion.angle_mean << ',' << r.distortion.area_mean_abs_log10 << ','
+         << r.distortion.l2_efficiency << ',' << r.distortion.symmetric_dirichlet << ','
+         << r.distortion.smallest_domain_area << std::endl;
+    std::cout << r.mesh << ' ' << r.faces << " faces, " << r.method << ' ' << r.energy;
+    if (r.energy == "amips")
+      std::cout << ' ' << r.lambda;
+    std::cout << ' ' << r.effort << ", " << r.threads << " threads: " << r.wall << " s (cpu " << r.cpu
+              << "), " << r.bytes_per_face << " bytes per face, energy "
+              << r.distortion.symmetric_dirichlet << ", " << r.not_positive << " faces not positive" << std::endl;
+  }
+
+private:
+  std::ofstream out_;
+};
+
+/// Distinct random points of the domain, found in the map.
+template <class Map>
+double queries_per_second(const Map& map)
+{
+  using Atlas = typename Map::Atlas;
+  std::mt19937 random(1);
+  const auto number = [&] { return static_cast<double>(random()) / 4294967296.; };
+  std::vector<typename Map::Domain_point> points;
+  for (int i = 0; i < 200000; ++i) {
+    const int tile = static_cast<int>(random() % Atlas::number_of_charts);
+    const double s = number();
+    points.push_back(map.atlas().tile_point(tile, s, number()));
+  }
+  const double start = cpu_seconds();
+  long sum = 0;
+  for (const auto& p : points)
+    sum += map.to_mesh(p).face;
+  const double seconds = cpu_seconds() - start;
+  return sum < 0 ? 0 : static_cast<double>(points.size()) / seconds;
+}
+
+struct Setting {
+  int threads = 1;
+  SM::Energy energy = SM::Energy::SYMMETRIC_DIRICHLET;
+  double lambda = 0.3;
+  SM::Effort effort = SM::Effort::DEFAULT;
+};
+
+SM::Any_map map_mesh(const Mesh& mesh, const Setting& s, Phase_clock& phases)
+{
+  const auto np = SM::parameters::energy(s.energy).energy_lambda(s.lambda).effort(s.effort)
+                    .visitor(std::ref(phases));
+#ifdef CGAL_LINKED_WITH_TBB
+  if (s.threads > 1) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(s.threads));
+    return SM::map_to_canonical_surface<CGAL::Parallel_tag>(mesh, np);
+  }
+#endif
+  return SM::map_to_canonical_surface<CGAL::Sequential_tag>(mesh, np);
+}
+
+void measure(const std::string& name, const Mesh& mesh, const Setting& s, Table& table)
+{
+#ifndef CGAL_LINKED_WITH_TBB
+  if (s.threads > 1)
+    return;
+#endif
+  Row r;
+  r.mesh = name;
+  r.method = "simple_manifolds";
+  r.threads = s.threads;
+  r.energy = s.energy == SM::Energy::AMIPS ? "amips" : "symmetric_dirichlet";
+  r.lambda = s.energy == SM::Energy::AMIPS ? s.lambda : 0;
+  r.effort = s.effort == SM::Effort::FAST ? "fast" : s.effort == SM::Effort::QUALITY ? "quality" : "default";
+  Phase_clock phases;
+  const Memory_clock memory;
+  const double wall = wall_seconds(), cpu = cpu_seconds();
+  const SM::Any_map any = map_mesh(mesh, s, phases);
+  r.wall = wall_seconds() - wall;
+  r.cpu = cpu_seconds() - cpu;
+  const double bytes = memory.bytes();
+  r.decimate = phases.seconds["decimate"];
+  r.embed = phases.seconds["embed"];
+  r.certify = phases.seconds["certify"];
+  std::visit([&](const auto& map) {
+    r.domain = map.atlas().name;
+    r.faces = map.number_of_faces();
+    r.bytes_per_face = bytes / static_cast<double>(r.faces);
+    r.not_positive = map.certificate().flipped + map.certificate().degenerate;
+    r.distortion = SM::distortion(map);
+    r.queries_per_second = queries_per_second(map);
+  }, any);
+  table.add(r);
+}
+
+/// CGAL's own way to a disk, on the same mesh.
+template <class Parameterizer>
+void measure_parameterizer(const std::string& name, Mesh mesh, const std::string& method,
+                           const Parameterizer& parameterizer, Table& table)
+{
+  Row r;
+  r.mesh = name;
+  r.domain = "plane";
+  r.method = method;
+  r.faces = num_faces(mesh);
+  auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+  const Memory_clock memory;
+  const double wall = wall_seconds(), cpu = cpu_seconds();
+  const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+  const SMP::Error_code error = SMP::parameterize(mesh, parameterizer, border, uv);
+  r.wall = wall_seconds() - wall;
+  r.cpu = cpu_seconds() - cpu;
+  r.bytes_per_face = memory.bytes() / static_cast<double>(r.faces);
+  if (error != SMP::OK) {
+    std::cout << name << ", " << method << ": " << SMP::get_error_message(error) << std::endl;
+    return;
+  }
+  std::vector<Eigen::Vector3d> points;
+  std::vector<Eigen::Vector2d> domain_points;
+  std::vector<SM::Triangle> faces;
+  for (const auto v : mesh.vertices()) {
+    const auto& p = mesh.point(v);
+    points.emplace_back(p.x(), p.y(), p.z());
+    domain_points.emplace_back(uv[v].x(), uv[v].y());
+  }
+  for (const auto f : mesh.faces()) {
+    SM::Triangle t;
+    int k = 0;
+    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      t[k++] = static_cast<int>(v);
+    faces.push_back(t);
+  }
+  // Some parameterizers give mirror images: a face is wrong when most others are the other way round.
+  std::size_t positive = 0, negative = 0;
+  for (const SM::Triangle& t : faces) {
+    const int sign
+      = SM::Plane_atlas().orientation(domain_points[t[0]], domain_points[t[1]], domain_points[t[2]]);
+    positive += sign > 0;
+    negative += sign < 0;
+  }
+  r.not_positive = faces.size() - std::max(positive, negative);
+  r.distortion = SM::distortion(SM::Plane_atlas(), points, domain_points, faces);
+  table.add(r);
+}
+
+Mesh read(const std::string& folder, const std::string& name)
+{
+  Mesh mesh;
+  SM::read_mesh(folder + "/meshes/" + name + ".off", mesh);
+  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+  return mesh;
+}
+
+/// All settings for meshes up to 60,000 faces; for larger ones what shows how time grows.
+void measure_all(const std::string& name, const Mesh& mesh, Table& table)
+{
+  const bool is_small = num_faces(mesh) <= 60000;
+  measure(name, mesh, {}, table);
+  Setting s;
+  s.threads = 2;
+  measure(name, mesh, s, table);
+  s = Setting();
+  s.effort = SM::Effort::FAST;
+  measure(name, mesh, s, table);
+  if (!is_small)
+    return;
+  s.effort = SM::Effort::QUALITY;
+  measure(name, mesh, s, table);
+  s = Setting();
+  s.energy = SM::Energy::AMIPS;
+  for (const double lambda : {1., 0.3, 0.1, 0.03}) {
+    s.lambda = lambda;
+    measure(name, mesh, s, table);
+  }
+  if (!CGAL::is_closed(mesh)) {
+    using Border = SMP::Square_border_arc_length_parameterizer_3<Mesh>;
+    measure_parameterizer(name, mesh, "cgal_mean_value",
+                          SMP::Mean_value_coordinates_parameterizer_3<Mesh, Border>(), table);
+    measure_parameterizer(name, mesh, "cgal_arap", SMP::ARAP_parameterizer_3<Mesh>(), table);
+  }
+}
+
+int run(int argc, char** argv)
+{
+  po::options_description options("Usage: map_benchmark [options]\n\nOptions");
+  std::string output = "map_benchmark.csv", data = CGAL_DATA_DIR;
+  std::size_t largest = 1400000;
+  std::vector<std::string> names = {"hand", "camel", "armadillo", "knot1", "elk", "three_peaks", "lion-head"};
+  auto add = options.add_options();
+  add("help", "print this and end");
+  add("output", po::value(&output)->default_value(output), "the CSV file");
+  add("data", po::value(&data)->default_value(data), "the folder that holds meshes/ of CGAL's data");
+  add("mesh", po::value(&names)->multitoken(), "names of meshes there");
+  add("largest", po::value(&largest)->default_value(largest), "subdivide as long as there are no more faces");
+  add("quick", po::bool_switch(), "small meshes, not subdivided: less than a minute");
+  po::variables_map values;
+  po::store(po::parse_command_line(argc, argv, options), values);
+  po::notify(values);
+  if (values.count("help")) {
+    std::cout << options;
+    return 0;
+  }
+  const bool is_quick = values["quick"].as<bool>();
+  if (is_quick && values["mesh"].empty())
+    names = {"hand", "knot1", "three_peaks"};
+
+  Table table(output);
+  for (const std::string& name : names) {
+    Mesh mesh = read(data, name);
+    for (int loop = 0;; ++loop) {
+      measure_all(loop == 0 ? name : name + "_loop" + std::to_string(loop), mesh, table);
+      if (is_quick || 4 * num_faces(mesh) > largest)
+        break;
+      CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
+    }
+  }
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& e) {
+    std::cerr << "map_benchmark: " << e.what() << '\n';
+    return 1;
+  }
+}
