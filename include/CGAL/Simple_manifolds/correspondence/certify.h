@@ -13,10 +13,15 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/domain_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -42,6 +47,7 @@ struct Certificate {
   double degree = 0;                  ///< signed area of all faces over the area of the domain
   double smallest_domain_area = 0;    ///< signed, of one face; on the sphere in steradians
   bool degree_is_one = false;
+  bool area_is_exact = false;         ///< torus, square: the areas were summed exactly, not in doubles
   bool topology_ok = false;           ///< a surface of the domain's genus and border, connected
   std::string topology_message;       ///< what the mesh is, or why it is no surface
   bool border_ok = false;             ///< square: the border runs once round; true for the others
@@ -58,7 +64,8 @@ struct Certificate {
   std::string sentence() const
   {
     if (is_valid())
-      return "the map is one to one: all " + std::to_string(faces) + " faces are positive, degree 1";
+      return "the map is one to one: all " + std::to_string(faces) + " faces are positive, degree 1"
+           + (area_is_exact ? ", total area exactly 1" : "");
     std::string s = "the map is not one to one";
     const char* separator = ": ";
     const auto add = [&](bool wrong, const std::string& what) {
@@ -132,6 +139,32 @@ inline std::string border_fault(const std::vector<Eigen::Vector2d>& points, std:
   return std::string();
 }
 
+// Whether the signed areas of the faces sum exactly to 1; nothing if a coordinate is not a multiple of 2^-52 in [0,1].
+// On the torus the faces are those of the nearest lifts.
+inline std::optional<bool> total_area_is_one(const std::vector<Eigen::Vector2d>& points,
+                                             const std::vector<Triangle>& faces, bool is_torus)
+{
+  const double unit = 4503599627370496.; // 2^52
+  const auto on_grid = [&](double x) { return 0 <= x && x <= 1 && std::floor(x * unit) == x * unit; };
+  boost::multiprecision::int128_t sum = 0; // of twice the areas, in units of 2^-104
+  for (const Triangle& t : faces) {
+    for (int v : t)
+      if (!on_grid(points[v][0]) || !on_grid(points[v][1]))
+        return std::nullopt;
+    std::array<std::array<std::int64_t, 2>, 2> edge; // from corner 0, exact
+    for (int k = 0; k < 2; ++k) {
+      const Eigen::Vector2d &p = points[t[0]], &q = points[t[k + 1]];
+      const Eigen::Vector2i lift = is_torus ? Torus_atlas::lift_offset(p, q) : Eigen::Vector2i(0, 0);
+      for (int i = 0; i < 2; ++i)
+        edge[k][i] = static_cast<std::int64_t>(q[i] * unit) - static_cast<std::int64_t>(p[i] * unit)
+                   + lift[i] * static_cast<std::int64_t>(unit);
+    }
+    sum += boost::multiprecision::int128_t(edge[0][0]) * edge[1][1];
+    sum -= boost::multiprecision::int128_t(edge[0][1]) * edge[1][0];
+  }
+  return sum == boost::multiprecision::int128_t(1) << 105;
+}
+
 // The ranges of the vertices; signs, lifts and degree of the faces.
 template <class Atlas>
 void certify_faces(const Atlas& atlas, const std::vector<typename Atlas::Domain_point>& points,
@@ -175,9 +208,15 @@ void certify_faces(const Atlas& atlas, const std::vector<typename Atlas::Domain_
   certificate.degree = total / Atlas::area;
   certificate.smallest_domain_area = smallest;
   // The degree of a map between closed surfaces is an integer, and that to the square follows from its
-  // border: the tolerance is no threshold, it only absorbs rounding.
+  // border: the tolerance is no threshold, it only absorbs rounding. On torus and square the areas of the
+  // points that the mapper makes, on the grid of 2^-52, are also summed exactly.
   const double tolerance = std::is_same_v<Atlas, Sphere_atlas> ? 1e-6 : 1e-9;
   certificate.degree_is_one = std::abs(certificate.degree - 1) <= tolerance;
+  if constexpr (!std::is_same_v<Atlas, Sphere_atlas>)
+    if (const std::optional<bool> exact = total_area_is_one(points, faces, Atlas::is_closed)) {
+      certificate.area_is_exact = true;
+      certificate.degree_is_one = *exact;
+    }
 }
 
 // The mesh is a surface of the domain's kind, so only the domain points remain to be examined.

@@ -70,7 +70,7 @@ Manifold_map<Plane_atlas> map_to_plane(const Mesh_arrays& a,
 ///
 /// A disk with holes is mapped with `close_borders(Close_borders::INNER)`.
 ///
-/// \copydetails map_to_sphere
+/// \copydetails map_to_sphere()
 template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
           class NamedParameters = parameters::Default_named_parameters>
 Manifold_map<Plane_atlas> map_to_plane(const FaceListGraph& mesh,

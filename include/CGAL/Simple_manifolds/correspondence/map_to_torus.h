@@ -137,7 +137,7 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a,
 /// of a few dozen vertices), it is split at its middle: then the map has more vertices than the mesh, the
 /// surface is the same.
 ///
-/// \copydetails map_to_sphere
+/// \copydetails map_to_sphere()
 template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
           class NamedParameters = parameters::Default_named_parameters>
 Manifold_map<Torus_atlas> map_to_torus(const FaceListGraph& mesh,

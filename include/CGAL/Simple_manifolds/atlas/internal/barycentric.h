@@ -32,8 +32,10 @@ constexpr double least_share = 1e-3;
 inline double ratio(const Integer& n, const Integer& d)
 {
   if (n.is_zero()) { return 0; }
-  const Integer a = abs(n), b = abs(d);
-  const int shift = 64 + static_cast<int>(msb(b)) - static_cast<int>(msb(a)); // leaves a quotient of 64 or 65 bits
+  // Qualified: CGAL has functions of these names, which would instantiate its traits of the type too early.
+  const Integer a = boost::multiprecision::abs(n), b = boost::multiprecision::abs(d);
+  const int shift = 64 + static_cast<int>(boost::multiprecision::msb(b))
+                      - static_cast<int>(boost::multiprecision::msb(a)); // leaves a quotient of 64 or 65 bits
   const Integer q = shift >= 0 ? Integer((a << shift) / b) : Integer(a / (b << -shift));
   return n.sign() * d.sign() * std::ldexp(q.convert_to<double>(), -shift);
 }
