@@ -102,6 +102,33 @@ inline std::vector<float> target_areas(const std::vector<Eigen::Vector3d>& point
   return result;
 }
 
+// The surface with its vertices in the given order, and its triangles in the order of their first vertex. The copies
+// that it takes to sort live no longer than this call.
+template <class Point>
+Collapse_hierarchy sorted_hierarchy(const Embedding_problem<Point>& problem, const std::vector<int>& order,
+                                    const std::vector<int>& rank, double area_floor, double total_area)
+{
+  std::vector<Eigen::Vector3d> points = normalized_points(problem.points), sorted_points(points.size());
+  std::vector<double> vertex_weight(problem.vertex_weight.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    sorted_points[i] = points[order[i]];
+    if (!vertex_weight.empty())
+      vertex_weight[i] = problem.vertex_weight[order[i]];
+  }
+  points = std::vector<Eigen::Vector3d>();
+  std::vector<Triangle> triangles = problem.triangles;
+  for (Triangle& t : triangles)
+    for (int& v : t)
+      v = rank[v];
+  std::sort(triangles.begin(), triangles.end(), [](const Triangle& s, const Triangle& t) {
+    return std::make_pair(*std::min_element(s.begin(), s.end()), s)
+         < std::make_pair(*std::min_element(t.begin(), t.end()), t);
+  });
+  const int apex = problem.apex < 0 ? -1 : rank[problem.apex];
+  std::vector<float> areas = target_areas(sorted_points, triangles, apex, vertex_weight, area_floor, total_area);
+  return Collapse_hierarchy(std::move(sorted_points), triangles, std::move(areas), apex);
+}
+
 // Embeds a surface in the domain of `Geometry` with `make_geometry(order)` as its initial state, where
 // order[i] is the vertex of the input that comes i-th. finish(mesh, geometry, number) reads the result off;
 // number(v) is the number that the hierarchy gives to vertex v of the input.
@@ -114,26 +141,10 @@ bool embed(const Embedding_problem<Point>& problem, Map_options options, const M
 {
   using Geometry = std::decay_t<decltype(make_geometry(std::vector<int>()))>;
   const int n = static_cast<int>(problem.points.size());
-  const std::vector<Eigen::Vector3d> normalized = normalized_points(problem.points);
-  const std::vector<int> order = morton_order(normalized);
+  const std::vector<int> order = morton_order(normalized_points(problem.points));
   std::vector<int> rank(n);
-  std::vector<Eigen::Vector3d> points(n);
-  std::vector<double> vertex_weight(problem.vertex_weight.empty() ? 0 : n);
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n; ++i)
     rank[order[i]] = i;
-    points[i] = normalized[order[i]];
-    if (!vertex_weight.empty())
-      vertex_weight[i] = problem.vertex_weight[order[i]];
-  }
-  std::vector<Triangle> triangles = problem.triangles;
-  for (Triangle& t : triangles)
-    for (int& v : t)
-      v = rank[v];
-  std::sort(triangles.begin(), triangles.end(), [](const Triangle& s, const Triangle& t) {
-    return std::make_pair(*std::min_element(s.begin(), s.end()), s)
-         < std::make_pair(*std::min_element(t.begin(), t.end()), t);
-  });
-  const int apex = problem.apex < 0 ? -1 : rank[problem.apex];
   // Landmarks stay as long as possible, so that the coarse levels are drawn to them.
   std::vector<float> reluctance(problem.landmarks.empty() ? 0 : n, 1.f);
   for (const auto& l : problem.landmarks)
@@ -142,8 +153,7 @@ bool embed(const Embedding_problem<Point>& problem, Map_options options, const M
   double shape_floor = 1e-4;
   for (int attempt = 0; attempt < number_of_attempts; ++attempt) {
     Geometry geometry = make_geometry(order);
-    Collapse_hierarchy mesh(points, triangles, target_areas(points, triangles, apex, vertex_weight,
-                                                            options.area_floor, Geometry::total_area), apex);
+    Collapse_hierarchy mesh = sorted_hierarchy(problem, order, rank, options.area_floor, Geometry::total_area);
     visitor.start_phase("decimate");
     mesh.decimate<ConcurrencyTag>(
       Geometry::minimum_vertices, [&](int v) { return geometry.is_removable(v); },
@@ -156,8 +166,10 @@ bool embed(const Embedding_problem<Point>& problem, Map_options options, const M
     for (auto& l : landmarks)
       l.vertex = mesh.number_of(rank[l.vertex]);
     visitor.start_phase("embed");
-    Coarse_to_fine_embedding<Geometry, ConcurrencyTag> embedding(mesh, geometry, options, shape_floor, landmarks);
-    const bool embedded = embedding.run([&](double fraction) { visitor.progress(fraction); });
+    // A temporary: its tables are gone before the result is built.
+    const bool embedded
+      = Coarse_to_fine_embedding<Geometry, ConcurrencyTag>(mesh, geometry, options, shape_floor, landmarks)
+          .run([&](double fraction) { visitor.progress(fraction); });
     visitor.end_phase();
     if (embedded && attempt >= problem.rejected_attempts
         && finish(mesh, geometry, [&](int v) { return mesh.number_of(rank[v]); }))
