@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 // Barycentric coordinates that are accurate in all triangles: a sliver in which rounding would spoil
 // them is solved exactly. A correspondence has such faces, and locating a point in one must not fail.
@@ -34,10 +35,10 @@ inline double ratio(const Integer& n, const Integer& d)
   if (n.is_zero()) { return 0; }
   // Qualified: CGAL has functions of these names, which would instantiate its traits of the type too early.
   const Integer a = boost::multiprecision::abs(n), b = boost::multiprecision::abs(d);
-  const int shift = 64 + static_cast<int>(boost::multiprecision::msb(b))
-                      - static_cast<int>(boost::multiprecision::msb(a)); // leaves a quotient of 64 or 65 bits
+  const int shift = 62 + static_cast<int>(boost::multiprecision::msb(b))
+                      - static_cast<int>(boost::multiprecision::msb(a)); // leaves a quotient of 62 or 63 bits
   const Integer q = shift >= 0 ? Integer((a << shift) / b) : Integer(a / (b << -shift));
-  return n.sign() * d.sign() * std::ldexp(q.convert_to<double>(), -shift);
+  return n.sign() * d.sign() * std::ldexp(static_cast<double>(q.convert_to<std::uint64_t>()), -shift);
 }
 
 inline Eigen::Vector3d normalized_by_sum(const std::array<Integer, 3>& b)

@@ -22,7 +22,8 @@ double variation(const Counts& counts)
   const double N = static_cast<double>(counts.size());
   double mean = 0, variance = 0;
   for (std::size_t n : counts)
-    mean += static_cast<double>(n) / N;
+    mean += static_cast<double>(n);
+  mean /= N;
   for (std::size_t n : counts)
     variance += (static_cast<double>(n) - mean) * (static_cast<double>(n) - mean) / N;
   return std::sqrt(variance) / mean;
