@@ -95,7 +95,8 @@ int main(int argc, char** argv)
       if (metrics_file) write_metrics(*metrics_file, "map_mesh", metrics, watch);
       if (!is_quiet)
         std::cout << summary(input, map) << "; angle " << shown(metrics["map"]["angle"]) << ", area "
-                  << shown(metrics["map"]["area"]) << "; " << shown(watch.total()) << " s\n";
+                  << shown(metrics["map"]["area"]) << "; " << shown(watch.total()) << " s\n"
+                  << map.certificate().sentence() << '\n';
       return SUCCESS;
     }, any_map);
   });
