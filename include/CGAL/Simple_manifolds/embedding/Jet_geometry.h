@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -21,7 +22,7 @@
 ///
 /// Orientation: E_u x E_v is the outward normal of an outward oriented surface. The signs of the
 /// curvatures are such that the unit sphere with outward normal has mean curvature +1. Where E_u and
-/// E_v are linearly dependent there is no normal, and all results are NaN.
+/// E_v are linearly dependent there is no normal, and all results but the metric and its area are NaN.
 
 namespace CGAL {
 namespace Simple_manifolds {
@@ -86,21 +87,83 @@ inline double mean_curvature(const Jet& e)
 
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///
+/// The shape operator, the derivative of the unit normal, as a matrix on the coordinates (u,v): a tangent
+/// a E_u + b E_v has the components (a,b), and n changes along it by S (a,b). The eigenvalues are the
+/// principal curvatures; the matrix is the quotient of the two fundamental forms, in general not symmetric.
+inline Eigen::Matrix2d shape_operator(const Jet& e)
+{
+  const Fundamental_form g = first_fundamental_form(e), b = second_fundamental_form(e);
+  Eigen::Matrix2d s;
+  s << g.vv * b.uu - g.uv * b.uv, g.vv * b.uv - g.uv * b.vv,
+       g.uu * b.uv - g.uv * b.uu, g.uu * b.vv - g.uv * b.uv;
+  return s / e.u.cross(e.v).squaredNorm();
+}
+
+namespace internal {
+
+// The second form in the orthonormal tangent frame e1 = E_u / length, e2 = (E_v - shear E_u) length / area:
+// a symmetric 2x2 matrix. Its eigenvalues are mean +- half, and half is a root of a sum of squares:
+// H^2 - K would lose half of the digits near umbilics.
+struct Tangent_frame {
+  double length, area, shear;
+  double mean, half, difference, mixed; // difference: (first - second diagonal entry) / 2
+
+  explicit Tangent_frame(const Jet& e)
+  {
+    const Fundamental_form b = second_fundamental_form(e);
+    length = e.u.norm();
+    area = area_element(e);
+    shear = e.u.dot(e.v) / (length * length);
+    const double first = b.uu / (length * length), t = length / area;
+    const double second = (b.vv - 2 * shear * b.uv + shear * shear * b.uu) * (t * t);
+    mixed = (b.uv - shear * b.uu) / area;
+    mean = (first + second) / 2;
+    difference = (first - second) / 2;
+    half = std::hypot(difference, mixed);
+  }
+};
+
+} // namespace internal
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
 /// The principal curvatures k1 >= k2, in 1/length.
 inline std::pair<double, double> principal_curvatures(const Jet& e)
 {
-  // In an orthonormal tangent frame the form is a symmetric 2x2 matrix: (k1-k2)/2 is then a root of a
-  // sum of squares. H^2 - K would lose half of the digits near umbilics.
-  const Fundamental_form b = second_fundamental_form(e);
-  const double lu = e.u.norm();
-  const double area = area_element(e);
-  const double shear = e.u.dot(e.v) / lu;         // E_v = (shear / lu) E_u + (area / lu) e2
-  const double p = b.uu / (lu * lu);              // on e1, e1
-  const double q = (b.uv - shear / lu * b.uu) / area;
-  const double s = shear / lu, t = lu / area;
-  const double r = (b.vv - 2 * s * b.uv + s * s * b.uu) * t * t;
-  const double mean = (p + r) / 2, half = std::hypot((p - r) / 2, q);
-  return {mean + half, mean - half};
+  const internal::Tangent_frame f(e);
+  return {f.mean + f.half, f.mean - f.half};
+}
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// The principal curvatures with their directions.
+///
+/// `direction1`, `direction2` and the normal are a positively oriented orthonormal frame. The signs of the
+/// two directions mean nothing, and at an umbilic, where k1 = k2, any such frame is an answer. Near an
+/// umbilic they are as uncertain as rounding makes them, or noise in the surface, but orthonormal.
+struct Principal_directions {
+  double k1, k2;                          ///< k1 >= k2, in 1/length
+  Eigen::Vector3d direction1, direction2; ///< tangent unit vectors
+  Eigen::Vector2d uv1, uv2;               ///< the same in coordinates: direction1 = uv1.x E_u + uv1.y E_v
+};
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// The principal curvatures and directions of a surface at the point of the jet `e`.
+inline Principal_directions principal_directions(const Jet& e)
+{
+  const internal::Tangent_frame f(e);
+  const double angle = std::atan2(f.mixed, f.difference) / 2; // 0 at an umbilic
+  const double c = std::cos(angle), s = std::sin(angle), t = f.length / f.area;
+  Principal_directions d;
+  d.k1 = f.mean + f.half;
+  d.k2 = f.mean - f.half;
+  d.uv1 = {c / f.length - s * t * f.shear, s * t};
+  d.uv2 = {-s / f.length - c * t * f.shear, c * t};
+  const Eigen::Vector3d e1 = e.u / f.length, e2 = normal(e).cross(e1);
+  d.direction1 = c * e1 + s * e2;
+  d.direction2 = c * e2 - s * e1;
+  return d;
 }
 
 } // namespace Simple_manifolds
