@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/embedding/Bspline_basis.h>
+#include <CGAL/Simple_manifolds/embedding/internal/Tensor_sum.h>
 
 #include <CGAL/assertions.h>
 
@@ -55,11 +56,11 @@ public:
     CGAL_precondition(coefficients.size() == number_of_coefficients());
     per_cell_u_ = (nu - degree) / (support[2] - support[0]);
     per_cell_v_ = (nv - degree) / (support[3] - support[1]);
-    controls_.assign(std::size_t(nu + 2 * degree) * row(), Quad());
+    controls_.assign(std::size_t(nu + 2 * degree) * row(), internal::Quad());
     for(std::size_t k = 0; k < coefficients.size(); ++k) {
       const int index = indices_.empty() ? int(k) : indices_[k];
       CGAL_precondition(index >= 0 && index < nu * nv);
-      controls_[place(index)] = {coefficients[k].x(), coefficients[k].y(), coefficients[k].z(), 0};
+      controls_[place(index)] = internal::quad(coefficients[k]);
     }
   }
 
@@ -102,7 +103,7 @@ public:
     const Eigen::Vector2d x = cells(uv);
     if(!is_inside(x))
       return Eigen::Vector3d::Zero();
-    return with_degree(degree_, [&](auto d) { return position<decltype(d)::value>(x); });
+    return with_degree(degree_, [&](auto d) { return sum<decltype(d)::value, 0>(x).e.vector(); });
   }
 
   /// Position and derivatives at any point of the plane.
@@ -110,10 +111,11 @@ public:
   template <int Order = 2>
   Jet jet(const Eigen::Vector2d& uv) const
   {
+    static_assert(Order == 1 || Order == 2, "a jet has order 1 or 2");
     const Eigen::Vector2d x = cells(uv);
     if(!is_inside(x))
       return Jet::zero();
-    return with_degree(degree_, [&](auto d) { return derivatives<decltype(d)::value, Order>(x); });
+    return with_degree(degree_, [&](auto d) { return sum<decltype(d)::value, Order>(x).jet(per_cell_u_, per_cell_v_); });
   }
 
   /// The same function on the rectangle, with twice as many cells in both directions: the two-scale
@@ -136,8 +138,7 @@ public:
   }
 
 private:
-  // The controls lie in a grid with a frame of `degree` zeros, so that evaluation needs no tests, and
-  // have a fourth coordinate, which lets the compiler use packets of two.
+  // The controls lie in a grid with a frame of `degree` zeros, so that evaluation needs no tests.
   int row() const { return nv_ + 2 * degree_; }
   std::size_t place(int index) const
   {
@@ -168,77 +169,19 @@ private:
     return x.x() > 0 && x.x() < nu_ + degree_ && x.y() > 0 && x.y() < nv_ + degree_;
   }
 
-  // Four numbers. Eigen's operations on Vector4d remain function calls at -O2, three times slower here;
-  // forcing them inline makes compilation with sanitizers explode.
-  struct Quad {
-    double x = 0, y = 0, z = 0, w = 0;
-
-    void add(double f, const Quad& q)
-    {
-      x += f * q.x;
-      y += f * q.y;
-      z += f * q.z;
-      w += f * q.w;
-    }
-    Eigen::Vector3d times(double f) const { return {f * x, f * y, f * z}; }
-    Eigen::Vector3d vector() const { return {x, y, z}; }
-  };
-
-  template <int D>
-  Eigen::Vector3d position(const Eigen::Vector2d& x) const
-  {
-    using Basis = Bspline_basis<D>;
-    const int i = int(x.x()), j = int(x.y()); // positive: int() is floor()
-    const typename Basis::Values a = Basis::values(x.x() - i), b = Basis::values(x.y() - j);
-    const Quad* c = &controls_[std::size_t(i) * row() + j];
-    Quad e;
-    for(int r = 0; r <= D; ++r, c += row()) {
-      Quad s;
-      for(int k = 0; k <= D; ++k)
-        s.add(b[k], c[k]);
-      e.add(a[r], s);
-    }
-    return e.vector();
-  }
-
   template <int D, int Order>
-  Jet derivatives(const Eigen::Vector2d& x) const
+  internal::Tensor_sum<D, Order> sum(const Eigen::Vector2d& x) const
   {
-    static_assert(Order == 1 || Order == 2, "a jet has order 1 or 2");
-    using Basis = Bspline_basis<D>;
-    using Values = typename Basis::Values;
-    const int i = int(x.x()), j = int(x.y());
-    const double t = x.x() - i, w = x.y() - j;
-    const Values a = Basis::values(t), a1 = Basis::first(t), a2 = Basis::second(t);
-    const Values b = Basis::values(w), b1 = Basis::first(w), b2 = Basis::second(w);
-    const Quad* c = &controls_[std::size_t(i) * row() + j];
-    Quad e, u, v, uu, uv, vv;
-    for(int r = 0; r <= D; ++r, c += row()) {
-      Quad s, s1, s2;
-      for(int k = 0; k <= D; ++k) {
-        s.add(b[k], c[k]);
-        s1.add(b1[k], c[k]);
-        if constexpr (Order == 2)
-          s2.add(b2[k], c[k]);
-      }
-      e.add(a[r], s);
-      u.add(a1[r], s);
-      v.add(a[r], s1);
-      if constexpr (Order == 2) {
-        uu.add(a2[r], s);
-        uv.add(a1[r], s1);
-        vv.add(a[r], s2);
-      }
-    }
-    const double p = per_cell_u_, q = per_cell_v_;
-    return {e.vector(), u.times(p), v.times(q), uu.times(p * p), uv.times(p * q), vv.times(q * q)};
+    const int i = int(x.x()), j = int(x.y()); // positive: int() is floor()
+    return {&controls_[std::size_t(i) * row() + j], std::size_t(row()),
+            internal::Span_basis<D, Order>(x.x() - i), internal::Span_basis<D, Order>(x.y() - j)};
   }
 
   Support support_;
   int degree_, nu_, nv_;
   std::vector<int> indices_;
   double per_cell_u_, per_cell_v_; // cells per unit of u and v
-  std::vector<Quad> controls_;
+  std::vector<internal::Quad> controls_;
 };
 
 } // namespace Simple_manifolds
