@@ -31,6 +31,7 @@
   X(max_controls_per_side) /* int: limit of the uniform refinement of a chart */                     \
   X(fit_report)          /* std::reference_wrapper<Fit_report> */                                    \
   X(subdivisions)        /* int: cells per side of a tile */                                         \
+  X(relative_error)      /* double: error of an integral allowed, fraction of the integral of |f| */ \
   X(normal_map)          /* WritablePropertyMap vertex -> Vector_3 */                                \
   X(chart_point_map)     /* WritablePropertyMap vertex -> Chart_point */
 
