@@ -11,6 +11,7 @@
 #include <functional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace SM = CGAL::Simple_manifolds;
@@ -31,7 +32,7 @@ struct Scenario {
   using Atlas = Atlas_;
   using Domain_point = typename Atlas::Domain_point;
   using Map = SM::Manifold_map<Atlas>;
-  using Surface = SM::Manifold_surface<Atlas>;
+  using Surface = decltype(SM::fit_surface(std::declval<const Map&>()));
 
   explicit Scenario(const std::string& name)
     : mesh(read(name)), map(map_mesh(Atlas(), mesh)), surface(SM::fit_surface(map))

@@ -31,6 +31,21 @@ auto some_surface(int degree = 3)
   return SM::Manifold_surface<Atlas, SM::Patch_stack_embedding, Bump>(charts);
 }
 
+template <class Atlas>
+SM::Manifold_surface<Atlas> hierarchical_surface()
+{
+  std::vector<SM::Hierarchical_embedding> charts;
+  for (int c = 0; c < Atlas::number_of_charts; ++c) {
+    using Level = SM::Hierarchical_embedding::Level;
+    Level base = {4, {}, {}}, fine = {16, {3, 5, 40 + c}, {}};
+    for (int i = 0; i < 49; ++i) base.indices.push_back(i);
+    for (int i = 0; i < 49; ++i) base.coefficients.push_back(some_vector(100 * c + i));
+    for (int i = 0; i < 3; ++i) fine.coefficients.push_back(some_vector(100 * c + 60 + i));
+    charts.emplace_back(3, std::vector<Level>{base, {8, {}, {}}, fine, {32, {}, {}}});
+  }
+  return SM::Manifold_surface<Atlas>(charts);
+}
+
 template <class Surface>
 bool same_surface(const Surface& a, const Surface& b)
 {
@@ -45,8 +60,7 @@ bool same_surface(const Surface& a, const Surface& b)
   return true;
 }
 
-using Sphere = SM::Manifold_surface<SM::Sphere_atlas>;
-using Plane = SM::Manifold_surface<SM::Plane_atlas>;
+using Plane = SM::Manifold_surface<SM::Plane_atlas, SM::Patch_stack_embedding>;
 
 } // namespace
 
@@ -57,7 +71,7 @@ TEMPLATE_TEST_CASE("surfaces read back bit for bit", "", SM::Plane_atlas, SM::Sp
   SM::write_surface(folder("s.json"), surface);
   using Surface = std::decay_t<decltype(surface)>;
   CHECK(same_surface(SM::read_surface<Surface>(folder("s.json")), surface));
-  const auto any = SM::read_any_surface(folder("s.json"));
+  const auto any = SM::read_any_surface<SM::Smoothstep_bump<2>, SM::Patch_stack_embedding>(folder("s.json"));
   REQUIRE(std::holds_alternative<Surface>(any));
   CHECK(same_surface(std::get<Surface>(any), surface));
   CHECK(folder.entries() == std::vector<std::string>{"s.json"});
@@ -75,11 +89,83 @@ TEST_CASE("atlas, bump and degree are written and must agree")
   CHECK(header.smoothness == 3);
   CHECK(header.degree == 4);
   CHECK(same_surface(SM::read_surface<std::decay_t<decltype(surface)>>(file), surface));
-  CHECK_THROWS_AS(SM::read_surface<SM::Manifold_surface<SM::Torus_atlas>>(file), SM::IO_error);
-  CHECK_THROWS_AS(SM::read_any_surface(file), SM::IO_error);
-  CHECK_NOTHROW(SM::read_any_surface<SM::Bspline_bump<3>>(file));
+  using Stack = SM::Patch_stack_embedding;
+  CHECK_THROWS_AS((SM::read_surface<SM::Manifold_surface<SM::Torus_atlas, Stack>>(file)), SM::IO_error);
+  CHECK_THROWS_AS((SM::read_any_surface<SM::Smoothstep_bump<2>, Stack>(file)), SM::IO_error);
+  CHECK_NOTHROW((SM::read_any_surface<SM::Bspline_bump<3>, Stack>(file)));
   using Wrong_atlas = SM::Manifold_surface<SM::Sphere_atlas, SM::Patch_stack_embedding, SM::Bspline_bump<3>>;
   CHECK_THROWS_AS(SM::read_surface<Wrong_atlas>(file), SM::IO_error);
+}
+
+TEMPLATE_TEST_CASE("hierarchical surfaces read back bit for bit", "", SM::Plane_atlas, SM::Sphere_atlas,
+                   SM::Torus_atlas)
+{
+  const Temporary_folder folder;
+  const std::string file = folder("s.json"), again = folder("again.json");
+  const auto surface = hierarchical_surface<TestType>();
+  using Surface = std::decay_t<decltype(surface)>;
+  SM::write_surface(file, surface);
+  const Surface copy = SM::read_surface<Surface>(file);
+  for (int c = 0; c < TestType::number_of_charts; ++c) {
+    const auto &a = surface.chart_embedding(c), &b = copy.chart_embedding(c);
+    CHECK(a.degree() == b.degree());
+    REQUIRE(a.levels().size() == b.levels().size());
+    for (std::size_t k = 0; k < a.levels().size(); ++k) {
+      CHECK(a.levels()[k].cells == b.levels()[k].cells);
+      CHECK(a.levels()[k].indices == b.levels()[k].indices);
+      CHECK(a.levels()[k].coefficients == b.levels()[k].coefficients);
+    }
+  }
+  SM::write_surface(again, copy);
+  CHECK(folder.read("again.json") == folder.read("s.json"));
+  CHECK(std::holds_alternative<Surface>(SM::read_any_surface(file)));
+
+  // the same function as a stack of patches
+  using Stack = SM::Manifold_surface<TestType, SM::Patch_stack_embedding>;
+  const Stack stack = SM::read_surface<Stack>(file);
+  for (const auto& uv : {Eigen::Vector2d(.1, .2), Eigen::Vector2d(.7, .5), Eigen::Vector2d(1, .01)})
+    CHECK((stack.chart_embedding(0).point(uv) - surface.chart_embedding(0).point(uv)).norm() < 1e-13);
+}
+
+TEST_CASE("only grids of the whole square, each twice as fine as another, are a hierarchy")
+{
+  const Temporary_folder folder;
+  using Hierarchical = SM::Manifold_surface<SM::Plane_atlas>;
+  const auto patch = [](const std::string& support, int controls, const std::string& functions) {
+    const std::string n = std::to_string(controls);
+    return R"({"support":)" + support + R"(,"controls":[)" + n + "," + n + "]," + functions + "}";
+  };
+  const auto read = [&](const std::string& patches) {
+    return SM::read_surface<Hierarchical>(folder.write("s.json",
+      R"({"format":"simple_manifolds_surface","version":1,"atlas":"plane",
+      "bump":{"type":"smoothstep","smoothness":2},"degree":1,"charts":[{"patches":[)" + patches + "]}]}"));
+  };
+  const auto message = [&](const std::string& patches) {
+    try {
+      read(patches);
+    } catch (const SM::IO_error& e) {
+      CHECK(e.code() == Error_code::syntax_error);
+      return std::string(e.what());
+    }
+    return std::string("accepted");
+  };
+  const std::string all = "[0,0,1,1]", one = R"("indices":[1],"coefficients":[[1,2,3]])",
+                    base = patch(all, 2, R"("coefficients":[[0,0,0],[0,1,0],[1,0,0],[1,1,4]])");
+  using Catch::Matchers::ContainsSubstring;
+  CHECK_THAT(message(base + "," + patch("[0,0,1,0.5]", 3, one)), ContainsSubstring("charts[0].patches[1]"));
+  CHECK_THAT(message(base + "," + patch(all, 4, one)), ContainsSubstring("patches[1].controls: 3 cells"));
+  CHECK_THAT(message(base + "," + patch(all, 45001, one)), ContainsSubstring("power of 2"));
+  CHECK_THAT(message(base + "," + patch(all, 1 << 20, one)), ContainsSubstring("from 2 to"));
+  CHECK_THAT(message(patch(all, 40001, one)), ContainsSubstring("the coarsest grid has 40000 cells"));
+
+  // in any order, with gaps; patches of one grid add up; a fine grid needs no memory for what is not active
+  const Hierarchical e = read(patch(all, 5, one) + "," + base + "," + patch(all, 5, one) + ","
+                              + patch(all, 32769, R"("indices":[],"coefficients":[])"));
+  REQUIRE(e.chart_embedding(0).levels().size() == 16);
+  CHECK(e.chart_embedding(0).levels()[1].indices.empty());
+  CHECK(e.chart_embedding(0).levels()[2].indices == std::vector<int>{1});
+  CHECK(e.chart_embedding(0).number_of_leaves() == 7);
+  CHECK((e.point(Eigen::Vector2d(0, .25)) - Eigen::Vector3d(2, 4.25, 6)).norm() < 1e-15);
 }
 
 TEST_CASE("a file by hand is read")

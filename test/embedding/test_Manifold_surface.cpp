@@ -2,6 +2,7 @@
 #include "embedding/Analytic_map.h"
 
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
+#include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
 
 #include <algorithm>
 #include <cmath>
@@ -138,7 +139,8 @@ TEST_CASE("Equal constants in all charts blend to the constant")
   const Vector3d x(1, -2, 3);
   const std::vector<Vector3d> constant(49, x);
   const SM::Patch_stack_embedding chart({SM::Spline_patch({0, 0, 1, 1}, 3, 7, 7, constant)});
-  const SM::Manifold_surface<SM::Sphere_atlas> surface(std::vector<SM::Patch_stack_embedding>(6, chart));
+  const SM::Manifold_surface<SM::Sphere_atlas, SM::Patch_stack_embedding> surface(
+    std::vector<SM::Patch_stack_embedding>(6, chart));
   for(const Vector3d& p : random_domain_points<SM::Sphere_atlas>(200)) {
     const SM::Jet e = surface.jet(p);
     CHECK((e.value - x).norm() < 1e-14);

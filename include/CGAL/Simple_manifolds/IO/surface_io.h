@@ -10,12 +10,14 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
+#include <CGAL/Simple_manifolds/IO/internal/Embedding_io.h>
 #include <CGAL/Simple_manifolds/IO/internal/Json_field.h>
 #include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
 #include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
 #include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
+#include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
 
@@ -23,8 +25,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 #include <variant>
@@ -49,63 +49,6 @@ namespace internal {
 
 constexpr const char* surface_format = "simple_manifolds_surface";
 constexpr int surface_version = 1;
-constexpr int most_controls = 1 << 22; // of a patch: more would be an attack on the memory
-
-inline nlohmann::ordered_json json_of_patch(const Spline_patch& patch)
-{
-  nlohmann::ordered_json j;
-  j["support"] = patch.support();
-  j["controls"] = {patch.nu(), patch.nv()};
-  if (!patch.indices().empty()) j["indices"] = patch.indices();
-  auto& list = j["coefficients"] = nlohmann::ordered_json::array();
-  for (const Eigen::Vector3d& c : patch.coefficients()) {
-    CGAL_precondition(c.allFinite()); // JSON has no NaN
-    list.push_back({c.x(), c.y(), c.z()});
-  }
-  return j;
-}
-
-inline std::vector<int> indices_of_json(const Json_field& j, int controls)
-{
-  std::vector<int> indices(j.size());
-  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = j[i].integer(0, controls - 1);
-  std::vector<int> sorted = indices;
-  std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) j.fail("an index comes twice");
-  return indices;
-}
-
-inline Spline_patch patch_of_json(const Json_field& j, int degree)
-{
-  const Json_field support = j["support"], controls = j["controls"], coefficients = j["coefficients"];
-  support.require_size(4);
-  controls.require_size(2);
-  Spline_patch::Support rectangle;
-  for (std::size_t k = 0; k < 4; ++k) rectangle[k] = support[k].number();
-  for (int k = 0; k < 2; ++k)
-    if (!(rectangle[k + 2] - rectangle[k] > 1e-12)) support.fail("the rectangle [u0,v0,u1,v1] is empty");
-  const int nu = controls[std::size_t(0)].integer(degree + 1, most_controls);
-  const int nv = controls[1].integer(degree + 1, most_controls / nu);
-
-  std::vector<int> indices;
-  std::size_t active = std::size_t(nu) * nv;
-  if (j.has("indices")) {
-    indices = indices_of_json(j["indices"], nu * nv);
-    active = indices.size();
-  }
-  coefficients.require_size(active);
-  std::vector<Eigen::Vector3d> values(active);
-  for (std::size_t i = 0; i < active; ++i) {
-    const Json_field c = coefficients[i];
-    c.require_size(3);
-    for (std::size_t k = 0; k < 3; ++k) values[i][k] = c[k].number();
-  }
-  if (active == 0) { // an empty list of indices means "none", which the patch says with zeros
-    indices = {0};
-    values = {Eigen::Vector3d::Zero()};
-  }
-  return Spline_patch(rectangle, degree, nu, nv, values, std::move(indices));
-}
 
 inline Surface_header header_of_json(const Json_field& j)
 {
@@ -130,13 +73,12 @@ Surface surface_of_json(const Json_field& j)
                    + Bump::type + " of smoothness " + std::to_string(Bump::smoothness) + " is expected");
   const Json_field charts = j["charts"];
   charts.require_size(Atlas::number_of_charts);
-  std::vector<Patch_stack_embedding> embeddings;
+  using Chart_embedding = typename Surface::Chart_embedding;
+  std::vector<Chart_embedding> embeddings;
   for (std::size_t c = 0; c < charts.size(); ++c) {
     const Json_field list = charts[c]["patches"];
-    std::vector<Spline_patch> patches;
-    for (std::size_t i = 0; i < list.size(); ++i) patches.push_back(patch_of_json(list[i], header.degree));
-    if (patches.empty()) list.fail("at least one patch is expected");
-    embeddings.emplace_back(std::move(patches));
+    if (list.size() == 0) list.fail("at least one patch is expected");
+    embeddings.push_back(Embedding_io<Chart_embedding>::read(list, header.degree));
   }
   return Surface(std::move(embeddings));
 }
@@ -146,28 +88,30 @@ Surface surface_of_json(const Json_field& j)
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// Writes a surface as JSON, version 1: the atlas, the bump, the degree, and per chart its patches with
-/// their coefficients. Numbers have as many digits as they need to be read back bit for bit.
+/// their coefficients; of a `Hierarchical_embedding` one patch per level. Numbers have as many digits as
+/// they need to be read back bit for bit.
 ///
-/// \pre the patches have one degree, and finite coefficients
+/// \tparam ChartEmbedding  `Hierarchical_embedding` or `Patch_stack_embedding`
+/// \pre all splines have one degree, and finite coefficients
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
-template <class Atlas, class Bump>
-void write_surface(const std::string& file,
-                   const Manifold_surface<Atlas, Patch_stack_embedding, Bump>& surface)
+template <class Atlas, class ChartEmbedding, class Bump>
+void write_surface(const std::string& file, const Manifold_surface<Atlas, ChartEmbedding, Bump>& surface)
 {
+  using Io = internal::Embedding_io<ChartEmbedding>;
   nlohmann::ordered_json j;
   j["format"] = internal::surface_format;
   j["version"] = internal::surface_version;
   j["atlas"] = Atlas::name;
   j["bump"] = {{"type", Bump::type}, {"smoothness", int(Bump::smoothness)}};
-  const int degree = surface.chart_embedding(0).patches().front().degree();
+  const int degree = Io::degree(surface.chart_embedding(0));
   j["degree"] = degree;
   j["charts"] = nlohmann::ordered_json::array();
   for (int c = 0; c < Atlas::number_of_charts; ++c) {
+    const ChartEmbedding& embedding = surface.chart_embedding(c);
+    CGAL_precondition(Io::degree(embedding) == degree);
     auto patches = nlohmann::ordered_json::array();
-    for (const Spline_patch& patch : surface.chart_embedding(c).patches()) {
-      CGAL_precondition(patch.degree() == degree);
+    for (const internal::Patch_record& patch : Io::patches(embedding))
       patches.push_back(internal::json_of_patch(patch));
-    }
     j["charts"].push_back({{"patches", std::move(patches)}});
   }
   Atomic_file output(file);
@@ -188,8 +132,10 @@ inline Surface_header read_surface_header(const std::string& file)
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// Reads a surface of a known type.
-/// \tparam Surface  a `Manifold_surface` with `Patch_stack_embedding`
-/// \throw IO_error when the file is missing, no surface, damaged, or of another atlas or bump
+/// \tparam Surface  a `Manifold_surface` with `Hierarchical_embedding`, which takes the files whose patches
+///                  are grids of the whole unit square, each 1, 2, 4, ... times as fine as the coarsest, or
+///                  with `Patch_stack_embedding`, which takes all files
+/// \throw IO_error when the file is missing, no surface, damaged, or of another atlas, bump or kind of patch
 template <class Surface>
 Surface read_surface(const std::string& file)
 {
@@ -200,14 +146,16 @@ Surface read_surface(const std::string& file)
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// Reads a surface over whichever canonical surface the file names.
-/// \tparam Bump  the bump of the file
+/// \tparam Bump            the bump of the file
+/// \tparam ChartEmbedding  as for `read_surface()`
+/// \return a `std::variant` of the three types `Manifold_surface<Atlas, ChartEmbedding, Bump>`
 /// \throw IO_error as `read_surface()`
-template <class Bump = Smoothstep_bump<2>>
+template <class Bump = Smoothstep_bump<2>, class ChartEmbedding = Hierarchical_embedding>
 auto read_any_surface(const std::string& file)
 {
-  using Plane = Manifold_surface<Plane_atlas, Patch_stack_embedding, Bump>;
-  using Sphere = Manifold_surface<Sphere_atlas, Patch_stack_embedding, Bump>;
-  using Torus = Manifold_surface<Torus_atlas, Patch_stack_embedding, Bump>;
+  using Plane = Manifold_surface<Plane_atlas, ChartEmbedding, Bump>;
+  using Sphere = Manifold_surface<Sphere_atlas, ChartEmbedding, Bump>;
+  using Torus = Manifold_surface<Torus_atlas, ChartEmbedding, Bump>;
   using Any = std::variant<Plane, Sphere, Torus>;
   const nlohmann::json j = internal::parse_json(file, internal::file_contents(file));
   const internal::Json_field root(file, j);

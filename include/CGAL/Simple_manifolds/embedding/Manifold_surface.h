@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/atlas/Partition_of_unity.h>
+#include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
 
@@ -42,7 +43,7 @@ namespace Simple_manifolds {
 /// \tparam Atlas           a model of `ManifoldAtlas`
 /// \tparam ChartEmbedding  a model of `ChartEmbedding`
 /// \tparam Bump            a model of `BumpFunction`
-template <class Atlas_, class ChartEmbedding = Patch_stack_embedding, class Bump_ = Smoothstep_bump<2>>
+template <class Atlas_, class ChartEmbedding = Hierarchical_embedding, class Bump_ = Smoothstep_bump<2>>
 class Manifold_surface {
 public:
   using Atlas = Atlas_;
