@@ -39,6 +39,7 @@ enum class Error_code {
   zero_extent,              ///< all vertices coincide: lengths relative to the diagonal have no meaning
   map_not_bijective,        ///< the certificate of a map fails
   numeric_failure,          ///< a linear solver or an iteration failed
+  partition_failed,         ///< a step of the paper's partition of a mesh found no way
   cannot_open,              ///< a file that cannot be opened for reading
   unsupported_format,       ///< a file of a format that is not read or written here
   syntax_error,             ///< a file that does not follow its format

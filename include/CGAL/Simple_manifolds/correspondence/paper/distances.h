@@ -47,8 +47,10 @@ struct Distance_visitor : boost::default_bfs_visitor {
 /// \param graph  a model of `VertexListGraph` and `IncidenceGraph`, e.g. a mesh or a `Face_filtered_graph`
 /// \param sources  a range of vertices
 /// \param distance  a `ReadWritePropertyMap` vertex -> int; -1 for vertices that cannot be reached
-template <class Graph, class VertexRange, class DistanceMap>
-void edge_distances(const Graph& graph, const VertexRange& sources, DistanceMap distance)
+/// \param is_accessible  vertex -> bool: the vertices that may be visited; the sources need not be among them
+template <class Graph, class VertexRange, class DistanceMap, class IsAccessible>
+void edge_distances(const Graph& graph, const VertexRange& sources, DistanceMap distance,
+                    const IsAccessible& is_accessible)
 {
   using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
   for (const vertex_descriptor v : vertices(graph))
@@ -57,10 +59,19 @@ void edge_distances(const Graph& graph, const VertexRange& sources, DistanceMap 
     put(distance, v, 0);
   const auto colour = get(CGAL::dynamic_vertex_property_t<boost::default_color_type>(), graph);
   for (const vertex_descriptor v : vertices(graph))
-    put(colour, v, boost::white_color);
+    put(colour, v, is_accessible(v) ? boost::white_color : boost::black_color);
   boost::queue<vertex_descriptor> queue;
   boost::breadth_first_visit(graph, std::begin(sources), std::end(sources), queue,
                              internal::Distance_visitor<Graph, DistanceMap>(distance), colour);
+}
+
+/// \ingroup PkgSimpleManifoldsPaper
+///
+/// The same with all vertices accessible.
+template <class Graph, class VertexRange, class DistanceMap>
+void edge_distances(const Graph& graph, const VertexRange& sources, DistanceMap distance)
+{
+  edge_distances(graph, sources, distance, [](const auto) { return true; });
 }
 
 /// \ingroup PkgSimpleManifoldsPaper
