@@ -60,7 +60,7 @@ public:
     for(std::size_t k = 0; k < coefficients.size(); ++k) {
       const int index = indices_.empty() ? int(k) : indices_[k];
       CGAL_precondition(index >= 0 && index < nu * nv);
-      controls_[place(index)] = internal::quad(coefficients[k]);
+      controls_[place(index)] = internal::Quad(coefficients[k]);
     }
   }
 
@@ -103,7 +103,7 @@ public:
     const Eigen::Vector2d x = cells(uv);
     if(!is_inside(x))
       return Eigen::Vector3d::Zero();
-    return with_degree(degree_, [&](auto d) { return sum<decltype(d)::value, 0>(x).e.vector(); });
+    return with_degree(degree_, [&](auto d) { return sum<decltype(d)::value, 0>(x).value; });
   }
 
   /// Position and derivatives at any point of the plane.
@@ -115,7 +115,7 @@ public:
     const Eigen::Vector2d x = cells(uv);
     if(!is_inside(x))
       return Jet::zero();
-    return with_degree(degree_, [&](auto d) { return sum<decltype(d)::value, Order>(x).jet(per_cell_u_, per_cell_v_); });
+    return with_degree(degree_, [&](auto d) { return sum<decltype(d)::value, Order>(x); });
   }
 
   /// The same function on the rectangle, with twice as many cells in both directions: the two-scale
@@ -170,11 +170,11 @@ private:
   }
 
   template <int D, int Order>
-  internal::Tensor_sum<D, Order> sum(const Eigen::Vector2d& x) const
+  Jet sum(const Eigen::Vector2d& x) const
   {
     const int i = int(x.x()), j = int(x.y()); // positive: int() is floor()
-    return {&controls_[std::size_t(i) * row() + j], std::size_t(row()),
-            internal::Span_basis<D, Order>(x.x() - i), internal::Span_basis<D, Order>(x.y() - j)};
+    return internal::tensor_jet<D, Order>(&controls_[std::size_t(i) * row() + j], std::size_t(row()),
+                                          x.x() - i, x.y() - j, per_cell_u_, per_cell_v_);
   }
 
   Support support_;

@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/embedding/Bspline_basis.h>
+#include <CGAL/Simple_manifolds/embedding/internal/Pack.h>
 
 #include <Eigen/Core>
 
@@ -20,24 +21,20 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-// Four numbers, aligned: a point with a fourth coordinate, so that the compiler uses whole packets.
-// Eigen's operations on Vector4d remain function calls at -O2, three times slower here; forcing them
-// inline makes compilation with sanitizers explode.
+// A control point with a fourth coordinate, so that packs hold all of it.
 struct alignas(32) Quad {
-  double x = 0, y = 0, z = 0, w = 0;
+  double x[4] = {0, 0, 0, 0};
+
+  Quad() = default;
+  explicit Quad(const Eigen::Vector3d& p) : x{p.x(), p.y(), p.z(), 0} {}
+  Eigen::Vector3d vector() const { return {x[0], x[1], x[2]}; }
 
   void add(double f, const Quad& q)
   {
-    x += f * q.x;
-    y += f * q.y;
-    z += f * q.z;
-    w += f * q.w;
+    for(int i = 0; i < 4; ++i)
+      x[i] += f * q.x[i];
   }
-  Eigen::Vector3d vector() const { return {x, y, z}; }
-  Eigen::Vector3d times(double f) const { return {f * x, f * y, f * z}; }
 };
-
-inline Quad quad(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z(), 0}; }
 
 // The functions of one direction that are not zero on a span, with their derivatives up to `Order`.
 template <int D, int Order>
@@ -54,42 +51,77 @@ struct Span_basis {
   }
 };
 
-// The sum of (D+1) x (D+1) controls, `row` apart from row to row, times functions a of the first and b of
-// the second direction, with derivatives by the span's own parameters up to `Order`.
-template <int D, int Order>
-struct Tensor_sum {
-  Quad e, u, v, uu, uv, vv;
+// Some coordinates of a position and of its derivatives.
+template <int Width>
+struct Pack_jet {
+  Pack<Width> value{}, u{}, v{}, uu{}, uv{}, vv{};
+};
 
-  Tensor_sum(const Quad* c, std::size_t row, const Span_basis<D, Order>& a, const Span_basis<D, Order>& b)
-  {
-    for(int r = 0; r <= D; ++r, c += row) {
-      Quad s, s1, s2;
-      for(int k = 0; k <= D; ++k) {
-        s.add(b.derivative[0][k], c[k]);
-        if constexpr(Order >= 1)
-          s1.add(b.derivative[1][k], c[k]);
-        if constexpr(Order >= 2)
-          s2.add(b.derivative[2][k], c[k]);
-      }
-      e.add(a.derivative[0][r], s);
-      if constexpr(Order >= 1) {
-        u.add(a.derivative[1][r], s);
-        v.add(a.derivative[0][r], s1);
-      }
-      if constexpr(Order >= 2) {
-        uu.add(a.derivative[2][r], s);
-        uv.add(a.derivative[1][r], s1);
-        vv.add(a.derivative[0][r], s2);
-      }
+// Computes the sum of (D+1) x (D+1) controls, `row` apart from row to row, times functions a of the first and
+// b of the second direction, with derivatives up to `Order` by parameters of which `p`, resp. `q`, units are
+// a span: for the coordinates from `first` on that fit into a pack.
+template <int D, int Order, int Width>
+void tensor_sum(const Quad* c, std::size_t row, int first, const Span_basis<D, Order>& a,
+                const Span_basis<D, Order>& b, double p, double q, Pack_jet<Width>& e)
+{
+  Pack<Width> value{}, u{}, v{}, uu{}, uv{}, vv{};
+  for(int r = 0; r <= D; ++r, c += row) {
+    Pack<Width> s{}, s1{}, s2{};
+    for(int k = 0; k <= D; ++k) {
+      Pack<Width> x;
+      load<Width>(c[k].x + first, x);
+      s += b.derivative[0][k] * x;
+      if constexpr(Order >= 1)
+        s1 += b.derivative[1][k] * x;
+      if constexpr(Order >= 2)
+        s2 += b.derivative[2][k] * x;
+    }
+    value += a.derivative[0][r] * s;
+    if constexpr(Order >= 1) {
+      u += a.derivative[1][r] * s;
+      v += a.derivative[0][r] * s1;
+    }
+    if constexpr(Order >= 2) {
+      uu += a.derivative[2][r] * s;
+      uv += a.derivative[1][r] * s1;
+      vv += a.derivative[0][r] * s2;
     }
   }
-
-  // by parameters of which p, resp. q, units are a span
-  Jet jet(double p, double q) const
-  {
-    return {e.vector(), u.times(p), v.times(q), uu.times(p * p), uv.times(p * q), vv.times(q * q)};
+  e.value = value;
+  if constexpr(Order >= 1) {
+    e.u = p * u;
+    e.v = q * v;
   }
-};
+  if constexpr(Order >= 2) {
+    e.uu = (p * p) * uu;
+    e.uv = (p * q) * uv;
+    e.vv = (q * q) * vv;
+  }
+}
+
+// The same for all coordinates; derivatives of higher order are zero.
+template <int D, int Order>
+Jet tensor_jet(const Quad* c, std::size_t row, double s, double t, double p, double q)
+{
+  constexpr int width = default_pack_width;
+  const Span_basis<D, Order> a(s), b(t);
+  Quad value, u, v, uu, uv, vv;
+  for(int first = 0; first < 4; first += width) {
+    Pack_jet<width> e;
+    tensor_sum<D, Order, width>(c, row, first, a, b, p, q, e);
+    store<width>(e.value, value.x + first);
+    if constexpr(Order >= 1) {
+      store<width>(e.u, u.x + first);
+      store<width>(e.v, v.x + first);
+    }
+    if constexpr(Order >= 2) {
+      store<width>(e.uu, uu.x + first);
+      store<width>(e.uv, uv.x + first);
+      store<width>(e.vv, vv.x + first);
+    }
+  }
+  return {value.vector(), u.vector(), v.vector(), uu.vector(), uv.vector(), vv.vector()};
+}
 
 } // namespace internal
 } // namespace Simple_manifolds
