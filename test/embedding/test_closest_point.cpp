@@ -91,6 +91,16 @@ void check_against_brute_force(const Surface& surface, int n, const std::vector<
   }
 }
 
+// A parallelogram in the plane.
+struct Sheared : analytic::By_jet<Sheared> {
+  template <int Order = 2>
+  SM::Jet jet(const Vector2d& uv) const
+  {
+    const Vector3d zero = Vector3d::Zero();
+    return {{uv[0] + 2 * uv[1], uv[1], 0}, {1, 0, 0}, {2, 1, 0}, zero, zero, zero};
+  }
+};
+
 } // namespace
 
 TEST_CASE("The closest points of a sphere, inside and outside, near and far")
@@ -235,12 +245,15 @@ TEST_CASE("Gauss-Newton steps find the foot of a point above the surface")
   }
 }
 
-TEST_CASE("One step finds the closest point of a plane, also on its border")
+TEST_CASE("Gauss-Newton steps find the closest point of a sheared parallelogram, also on its border")
 {
-  const auto flat = analytic::paraboloid(0, 0);
+  const SM::Manifold_surface<SM::Plane_atlas, Sheared> surface({Sheared()});
   const auto distance = [&](const Vector2d& start, const Vector3d& x) {
-    return SM::internal::closest_point_distance(flat, start, x, 1);
+    return SM::internal::closest_point_distance(surface, start, x, 10);
   };
-  CHECK(distance({.5, .5}, {.52, .6, .3}) == Approx(.3));
-  CHECK(distance({.5, .98}, {.52, 1.25, 0}) == Approx(.25));
+  CHECK(distance({.5, .5}, {.52 + 2 * .47, .47, .3}) == Approx(.3));
+  CHECK(distance({.5, .98}, {2.5, 1.25, 0}) == Approx(.25));
+  CHECK(distance({.5, .5}, {2.5, 1.25, 0}) == Approx(.25));
+  CHECK(distance({.9, .9}, {-1, -1, 0}) == Approx(std::sqrt(2.)));
+  check_against_brute_force(surface, 200, random_points(300, 4));
 }

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Simple_manifolds {
@@ -46,29 +47,35 @@ inline Symmetric_matrix make_positive(const Symmetric_matrix& h, const Symmetric
 inline Eigen::Vector2d best_move(const Eigen::Vector2d& uv, const Eigen::Vector2d& g, Symmetric_matrix h,
                                  const Symmetric_matrix& metric, double low)
 {
-  Eigen::Vector2d move(0, 0);
-  const auto clamp = [&](int k) { // whether the move had to be shortened
-    const double end = uv[k] + move[k], inside = (std::min)((std::max)(end, low), 1 - low);
-    move[k] = inside - uv[k];
-    return inside != end;
+  const auto clamped = [&](int k, double step) {
+    return (std::min)((std::max)(uv[k] + step, low), 1 - low) - uv[k];
   };
-  const auto move_along = [&](int k) { // the best move of coordinate k when the other one is given
-    const double curvature = h[2 * k] > 1e-4 * metric[2 * k] ? h[2 * k] : metric[2 * k];
-    move[k] = -(g[k] + h[1] * move[1 - k]) / curvature;
-    clamp(k);
+  // the best move of which coordinate k is given
+  const auto with = [&](int k, double step) {
+    const double curvature = h[2 - 2 * k] > 1e-4 * metric[2 - 2 * k] ? h[2 - 2 * k] : metric[2 - 2 * k];
+    const double other = clamped(1 - k, -(g[1 - k] + h[1] * step) / curvature);
+    return k == 0 ? Eigen::Vector2d(step, other) : Eigen::Vector2d(other, step);
   };
   // on the border, where the gradient pushes outward, there is only the direction along it
   for(int k = 0; k < 2; ++k)
-    if((uv[k] <= low && g[k] > 0) || (uv[k] >= 1 - low && g[k] < 0)) {
-      move_along(1 - k);
-      return move;
-    }
+    if((uv[k] <= low && g[k] > 0) || (uv[k] >= 1 - low && g[k] < 0))
+      return with(k, 0);
   h = make_positive(h, metric);
-  move = Eigen::Vector2d(h[1] * g[1] - h[2] * g[0], h[1] * g[0] - h[0] * g[1]) / determinant(h);
+  const Eigen::Vector2d newton =
+    Eigen::Vector2d(h[1] * g[1] - h[2] * g[0], h[1] * g[0] - h[0] * g[1]) / determinant(h);
+  const auto value = [&](const Eigen::Vector2d& m) {
+    return g.dot(m) + (h[0] * m[0] * m[0] + h[2] * m[1] * m[1]) / 2 + h[1] * m[0] * m[1];
+  };
+  // the minimum in the square lies on one of the sides that the step crosses
+  Eigen::Vector2d best = newton;
+  double least = std::numeric_limits<double>::infinity();
   for(int k = 0; k < 2; ++k)
-    if(clamp(k))
-      move_along(1 - k);
-  return move;
+    if(const double step = clamped(k, newton[k]); uv[k] + step != uv[k] + newton[k])
+      if(const Eigen::Vector2d m = with(k, step); value(m) < least) {
+        least = value(m);
+        best = m;
+      }
+  return best;
 }
 
 // Descends from a to a local minimum of the distance from x, in steps each of which comes nearer: those of
