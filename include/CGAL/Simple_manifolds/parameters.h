@@ -20,6 +20,8 @@
   X(area_floor)          /* double in (0,1]: share of uniform area in the target areas */            \
   X(effort)              /* Effort: how long a map is relaxed */                                     \
   X(vertex_weight_map)   /* ReadablePropertyMap vertex -> double: relative area in the domain */     \
+  X(projection_weights)  /* Projection_weights: of neighbours, in the paper's method */              \
+  X(partition_report)    /* std::reference_wrapper<Partition_report> */                              \
   X(corners)             /* Range of 4 vertex_descriptor: the corners of the square */               \
   X(landmarks)           /* Range of Landmark: soft targets of vertices */                           \
   X(close_borders)       /* Close_borders: which border loops are closed virtually */                \

@@ -100,7 +100,8 @@ nearest_evenly_spaced(const FaceGraph& mesh,
 /// \ingroup PkgSimpleManifoldsPaper
 ///
 /// Shortest paths from each vertex of a list to that with the same place in another list, which neither touch nor
-/// cross each other: the vertices of a path are not accessible to the later ones.
+/// cross each other: the vertices of a path are not accessible to the later ones. Where it can, a path also keeps off
+/// the neighbours of the borders and of the earlier paths, so that it does not shut in the corners of later ones.
 /// \param from, to  on the two borders of an annulus, in the same direction round it
 /// \param is_free  vertex -> bool: the inner vertices of the annulus
 /// \throw Partition_error (`PATHS`)  if there is no such path
@@ -111,15 +112,30 @@ disjoint_paths(const FaceGraph& mesh,
                const std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor>& to,
                const IsFree& is_free)
 {
+  using vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
   const auto is_used = get(CGAL::dynamic_vertex_property_t<bool>(), mesh);
-  for (const auto v : vertices(mesh))
-    put(is_used, v, false);
+  for (const vertex_descriptor v : vertices(mesh))
+    put(is_used, v, !is_free(v));
+  // Away from all that is used, but for the two ends of the path.
+  const auto has_distance = [&](vertex_descriptor v, vertex_descriptor first, vertex_descriptor last) {
+    bool is_near = false;
+    for (const vertex_descriptor w : CGAL::vertices_around_target(halfedge(v, mesh), mesh)) {
+      if (w == first || w == last)
+        return true;
+      is_near = is_near || get(is_used, w);
+    }
+    return !is_near;
+  };
   const std::size_t n = from.size();
   std::vector<Edge_path<FaceGraph>> paths(n);
   // Opposite paths first: they leave most room to those between.
   for (std::size_t step = std::max<std::size_t>(1, n / 2), first = 0, done = 0; done < n; ++first)
     for (std::size_t i = first; i < n && done < n; i += step, ++done) {
-      paths[i] = shortest_path(mesh, from[i], to[i], [&](const auto v) { return is_free(v) && !get(is_used, v); });
+      paths[i] = shortest_path(mesh, from[i], to[i], [&](vertex_descriptor v) {
+        return !get(is_used, v) && has_distance(v, from[i], to[i]);
+      });
+      if (paths[i].empty())
+        paths[i] = shortest_path(mesh, from[i], to[i], [&](vertex_descriptor v) { return !get(is_used, v); });
       if (paths[i].empty())
         throw Partition_error(Partition_step::PATHS, "of " + std::to_string(n) + " paths through an annulus, "
                               + std::to_string(done) + " leave no way to another");

@@ -18,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <vector>
 
 /// \file
@@ -64,10 +63,10 @@ struct Equalization_report {
 /// \pre no face is flipped
 template <class Atlas, class FaceGraph, class DomainPointMap>
 Equalization_report equalize_tiles(const Atlas& atlas, const FaceGraph& mesh, DomainPointMap domain_point,
-                                   int most_rounds = 20, double deviation_limit = 0.2,
                                    Projection_weights weights = Projection_weights::CENTROID)
 {
-  constexpr int centroid_iterations = 30;
+  constexpr int most_rounds = 20, centroid_iterations = 30;
+  constexpr double deviation_limit = 0.2;
   constexpr int n = Atlas::number_of_charts;
   const double mean = double(num_faces(mesh)) / n;
   const auto deviation = [&] {
@@ -78,7 +77,7 @@ Equalization_report equalize_tiles(const Atlas& atlas, const FaceGraph& mesh, Do
   };
   const auto reproject_chart = [&](int c) {
     const double share = double(faces_per_tile(atlas, mesh, domain_point)[c]) / mean;
-    reproject(atlas, mesh, domain_point, c, std::min(1.25, std::max(0.8, std::pow(share, 0.25))), weights);
+    reproject(atlas, mesh, domain_point, c, std::min(2., std::max(0.5, share)), weights);
   };
   const auto extreme = [&](bool largest) {
     const auto count = faces_per_tile(atlas, mesh, domain_point);
@@ -101,7 +100,6 @@ Equalization_report equalize_tiles(const Atlas& atlas, const FaceGraph& mesh, Do
     adjust_centroids(atlas, mesh, domain_point, centroid_iterations);
     const std::size_t flips = number_of_flips(atlas, mesh, domain_point);
     const double d = deviation();
-    if (getenv("PAPER_DEBUG")) std::fprintf(stderr, "round %d flips %zu deviation %g\n", report.rounds, flips, d);
     if (flips > 0 || d >= report.largest_deviation)
       continue;
     report.largest_deviation = d;

@@ -19,6 +19,7 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -99,7 +100,8 @@ void project_tiles(const Atlas& atlas, const FaceGraph& mesh, const Tile_partiti
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// *Reproject* of Grimm 2002, section 5.2: grows the largest disk of faces that lie in a chart, moves its border away from
+/// *Reproject* of Grimm 2002, section 5.2: grows the largest disk of faces that lie
+/// in the tile and half of its breadth round it, moves its border away from
 /// the centre of the chart or towards it by a factor, and projects the inner vertices anew. A chart with too many faces
 /// loses some when `factor` is larger than 1. Faces outside of the disk may be flipped by that.
 /// \return whether there is such a disk
@@ -119,7 +121,7 @@ bool reproject(const Atlas& atlas, const FaceGraph& mesh, DomainPointMap domain_
       const auto& p = get(domain_point, v);
       farthest = std::max(farthest, plane.contains(p) ? plane.coordinates(p).cwiseAbs().maxCoeff() : 1e10);
     }
-    put(region, f, farthest < internal::Domain_plane<Atlas>::chart_radius ? FREE : OUTSIDE);
+    put(region, f, farthest < internal::Domain_plane<Atlas>::reach ? FREE : OUTSIDE);
     if (seed == boost::graph_traits<FaceGraph>::null_face() || farthest < nearest) {
       seed = f;
       nearest = farthest;

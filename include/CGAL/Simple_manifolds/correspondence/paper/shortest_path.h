@@ -16,6 +16,7 @@
 #include <boost/pending/queue.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <type_traits>
 #include <vector>
 
@@ -40,6 +41,25 @@ Edge_path<Graph> reversed(const Edge_path<Graph>& path, const Graph& graph)
   for (auto h = path.rbegin(); h != path.rend(); ++h)
     result.push_back(opposite(*h, graph));
   return result;
+}
+
+/// \ingroup PkgSimpleManifoldsPaper
+///
+/// The part of a loop from one of its vertices to another one.
+template <class Graph>
+Edge_path<Graph> part_of_loop(const Graph& graph, const Edge_path<Graph>& loop,
+                              typename boost::graph_traits<Graph>::vertex_descriptor from,
+                              typename boost::graph_traits<Graph>::vertex_descriptor to)
+{
+  std::size_t i = 0;
+  while (source(loop[i], graph) != from)
+    ++i;
+  Edge_path<Graph> part;
+  do {
+    part.push_back(loop[i]);
+    i = (i + 1) % loop.size();
+  } while (target(part.back(), graph) != to);
+  return part;
 }
 
 namespace internal {

@@ -26,23 +26,6 @@ namespace Simple_manifolds {
 
 namespace internal {
 
-// The edges of a loop from one of its vertices to another.
-template <class FaceGraph>
-Edge_path<FaceGraph> part_of_loop(const FaceGraph& mesh, const Edge_path<FaceGraph>& loop,
-                                  typename boost::graph_traits<FaceGraph>::vertex_descriptor from,
-                                  typename boost::graph_traits<FaceGraph>::vertex_descriptor to)
-{
-  std::size_t i = 0;
-  while (source(loop[i], mesh) != from)
-    ++i;
-  Edge_path<FaceGraph> part;
-  do {
-    part.push_back(loop[i]);
-    i = (i + 1) % loop.size();
-  } while (target(part.back(), mesh) != to);
-  return part;
-}
-
 template <class FaceGraph>
 std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor>
 source_vertices(const FaceGraph& mesh, const Edge_path<FaceGraph>& path)
@@ -120,8 +103,8 @@ Tile_partition<FaceGraph> sphere_partition(const FaceGraph& mesh, FaceTileMap ti
   Path_network<FaceGraph> network;
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t next = (k + 1) % n;
-    network.paths.push_back({k, next, internal::part_of_loop(mesh, loop[0], top[k], top[next])});
-    network.paths.push_back({n + k, n + next, internal::part_of_loop(mesh, loop[1], bottom[k], bottom[next])});
+    network.paths.push_back({k, next, part_of_loop(mesh, loop[0], top[k], top[next])});
+    network.paths.push_back({n + k, n + next, part_of_loop(mesh, loop[1], bottom[k], bottom[next])});
     network.paths.push_back({k, n + k, paths[k]});
   }
   Tile_partition<FaceGraph> partition = tile_partition(atlas, mesh, corners, network);

@@ -51,8 +51,8 @@ public:
   {
     return Atlas().canonical((origin_ + x).unaryExpr([](double y) { return on_area_grid(y); }));
   }
-  // The part of the plane that a chart centred at the origin covers is the square of this half side.
-  static constexpr double chart_radius = Atlas::is_closed ? 1. / 3 : 0.5;
+  // Half the side of the square that is reprojected. The tile has half of the breadth 1/6, the chart 1/3.
+  static constexpr double reach = 0.25;
 
   // The mean of some points near to the origin.
   Point centroid(const std::vector<Point>& points) const
@@ -81,8 +81,9 @@ public:
   bool contains(const Point& p) const { return origin_.dot(p) > 0.05; }
   Eigen::Vector2d coordinates(const Point& p) const { return frame_.transpose() * p / origin_.dot(p); }
   Point point(const Eigen::Vector2d& x) const { return (origin_ + frame_ * x).normalized(); }
-  // tan(3 pi/8): as far as the charts reach in latitude. In longitude they reach to infinity.
-  static constexpr double chart_radius = 2.414213562373095;
+  // The tile is [-1,1]^2, the chart reaches to infinity; with half of the tile's breadth beyond it the tiles are
+  // equalized best.
+  static constexpr double reach = 1.5;
 
   // In the direction of the mean of the unit vectors.
   Point centroid(const std::vector<Point>& points) const
@@ -90,7 +91,7 @@ public:
     Point sum(0, 0, 0);
     for (const Point& p : points)
       sum += p;
-    return sum.norm() > 1e-6 ? Point(sum.normalized()) : origin_;
+    return sum.norm() > 1e-6 ? sum.normalized() : origin_;
   }
 
 private:
