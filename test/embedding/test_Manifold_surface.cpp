@@ -1,5 +1,6 @@
 #include "catch.h"
 #include "embedding/Analytic_map.h"
+#include "embedding/hierarchical_samples.h"
 
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <list>
 #include <vector>
 
 namespace SM = CGAL::Simple_manifolds;
@@ -83,6 +85,15 @@ void check_chart_independence(const Surface& surface)
       CHECK(std::abs(surface.principal_curvatures(a).second - k2) < 1e-12 * scale);
     }
   }
+}
+
+template <class Atlas, class Bump = SM::Smoothstep_bump<2>>
+SM::Manifold_surface<Atlas, SM::Hierarchical_embedding, Bump> hierarchical_surface(int degree = 3)
+{
+  std::vector<SM::Hierarchical_embedding> charts;
+  for(int c = 0; c < Atlas::number_of_charts; ++c)
+    charts.push_back(random_hierarchy(degree, 4, 2 + c % 4, {.2 + .07 * c, .6}, c));
+  return SM::Manifold_surface<Atlas, SM::Hierarchical_embedding, Bump>(charts);
 }
 
 double distance(const SM::Jet& a, const SM::Jet& b)
@@ -191,4 +202,124 @@ TEST_CASE("Ranges give the results of single points in order")
     CHECK(normals[k] == surface.normal(p[k]));
     CHECK(distance(jets[k], surface.jet(p[k])) == 0);
   }
+}
+
+namespace {
+
+// The largest differences of batches and single points: of positions, and of derivatives in relation to the
+// size of all of them.
+template <class Surface, class Points>
+void check_batches(const Surface& surface, const Points& p)
+{
+  std::vector<Vector3d> points, normals;
+  std::vector<SM::Jet> jets, first;
+  surface.points(p, std::back_inserter(points));
+  surface.normals(p, std::back_inserter(normals));
+  surface.jets(p, std::back_inserter(jets));
+  surface.template jets<1>(p, std::back_inserter(first));
+  REQUIRE(points.size() == p.size());
+  double position = 0, d1 = 0, d2 = 0, normal = 0;
+  std::size_t k = 0;
+  for(const auto& x : p) {
+    const SM::Jet e = surface.jet(x);
+    const double size1 = 1 + e.u.norm() + e.v.norm(), size2 = size1 + e.uu.norm() + e.uv.norm() + e.vv.norm();
+    position = std::max({position, (points[k] - surface.point(x)).norm(), (jets[k].value - e.value).norm(),
+                         (first[k].value - e.value).norm()});
+    for(const SM::Jet& j : {jets[k], first[k]})
+      d1 = std::max(d1, ((j.u - e.u).norm() + (j.v - e.v).norm()) / size1);
+    d2 = std::max(d2, ((jets[k].uu - e.uu).norm() + (jets[k].uv - e.uv).norm() + (jets[k].vv - e.vv).norm())
+                        / size2);
+    CHECK(first[k].uu.norm() + first[k].uv.norm() + first[k].vv.norm() == 0);
+    if(e.u.cross(e.v).norm() > .1 * e.u.norm() * e.v.norm())
+      normal = std::max(normal, (normals[k] - surface.normal(x)).norm());
+    ++k;
+  }
+  CHECK(position < 1e-14);
+  CHECK(d1 < 1e-12);
+  CHECK(d2 < 1e-11);
+  CHECK(normal < 1e-11);
+}
+
+template <class Atlas>
+std::vector<SM::Chart_point> all_chart_points(const std::vector<typename Atlas::Domain_point>& points)
+{
+  std::vector<SM::Chart_point> list;
+  for(const auto& p : points)
+    for(const SM::Chart_point& a : Atlas().charts_at(p))
+      if(a.uv.minCoeff() > 1e-4 && a.uv.maxCoeff() < 1 - 1e-4)
+        list.push_back(a);
+  return list;
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("Batches of hierarchical surfaces agree with single points, in the chart asked for", "",
+                   SM::Plane_atlas, SM::Torus_atlas, SM::Sphere_atlas)
+{
+  const auto p = random_domain_points<TestType>(1001);
+  for(int degree : {2, 3, 5, 6}) { // 6 has no batches
+    const auto surface = hierarchical_surface<TestType>(degree);
+    check_batches(surface, p);
+    check_batches(surface, all_chart_points<TestType>(p));
+  }
+}
+
+TEST_CASE("Batches with bumps that do not sum to one")
+{
+  check_batches(hierarchical_surface<SM::Torus_atlas, SM::Bspline_bump<2>>(),
+                random_domain_points<SM::Torus_atlas>(1000));
+  check_batches(hierarchical_surface<SM::Sphere_atlas, SM::Polynomial_bump<3>>(),
+                random_domain_points<SM::Sphere_atlas>(1000));
+}
+
+TEST_CASE("Batches at the poles, borders and corners of charts")
+{
+  std::vector<Vector3d> p;
+  for(int k = 0; k < 27; ++k)
+    if(k != 13)
+      p.push_back(Vector3d(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1).normalized());
+  for(int k = 0; k < 24; ++k) { // the borders |z| = sin(3 pi/8) and y = 0 of charts, and near them
+    const double z = std::sin(.375 * 3.14159265358979324) + (k % 3 - 1) * 1e-13, a = .3 * k;
+    const double r = std::sqrt(1 - z * z), y = (k % 3 - 1) * 1e-17;
+    p.push_back(Vector3d(r * std::cos(a), r * std::sin(a), z));
+    p.push_back(Vector3d(z, r * std::cos(a), r * std::sin(a)));
+    p.push_back(Vector3d(std::cos(a), y, std::sin(a)));
+    p.push_back(Vector3d(std::sin(a), std::cos(a), -y));
+  }
+  check_batches(hierarchical_surface<SM::Sphere_atlas>(), p);
+
+  std::vector<Vector2d> q;
+  for(double u : {0., 1e-300, 1e-17, 1. / 6, 1. / 3, std::nextafter(1. / 3, 1), .5, 2. / 3,
+                  std::nextafter(2. / 3, 1), 5. / 6, std::nextafter(1., 0)})
+    for(double v : {0., .2, 1. / 3, 2. / 3, std::nextafter(1., 0)})
+      q.push_back({u, v});
+  check_batches(hierarchical_surface<SM::Torus_atlas>(), q);
+  q.push_back({1, 1});
+  q.push_back({0, 1});
+  check_batches(hierarchical_surface<SM::Plane_atlas>(), q);
+}
+
+TEST_CASE("A point has the same result to the last bit in any range and for any number of threads")
+{
+  const auto check = [](const auto& surface, const auto& p) {
+    std::vector<SM::Jet> all, parallel, some;
+    surface.jets(p, std::back_inserter(all));
+    surface.template jets<CGAL::Parallel_if_available_tag>(p, std::back_inserter(parallel));
+    std::size_t different = 0;
+    for(std::size_t k = 0; k < p.size(); ++k)
+      different += distance(all[k], parallel[k]) != 0;
+    CHECK(different == 0);
+    for(std::size_t n : {0, 1, 2, 31, 32, 33, 700}) {
+      const std::list<std::decay_t<decltype(p[0])>> part(p.begin() + 5, p.begin() + 5 + n);
+      some.clear();
+      surface.jets(part, std::back_inserter(some));
+      REQUIRE(some.size() == n);
+      for(std::size_t k = 0; k < n; ++k)
+        different += distance(some[k], all[5 + k]) != 0;
+    }
+    CHECK(different == 0);
+  };
+  check(hierarchical_surface<SM::Sphere_atlas>(), random_domain_points<SM::Sphere_atlas>(5000));
+  check(hierarchical_surface<SM::Torus_atlas>(), random_domain_points<SM::Torus_atlas>(5000));
+  check(rough_surface<SM::Torus_atlas>(bumpy_torus), random_domain_points<SM::Torus_atlas>(5000));
 }

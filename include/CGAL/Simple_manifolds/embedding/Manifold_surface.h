@@ -12,14 +12,19 @@
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/atlas/Partition_of_unity.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/parallel_for.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
+#include <CGAL/Simple_manifolds/embedding/internal/evaluate_batch.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -38,7 +43,7 @@ namespace Simple_manifolds {
 /// outside of it (Grimm 2002, section 4). On the plane, which has one chart, E = E_0 on the closed
 /// square. E has `smoothness()` continuous derivatives.
 ///
-/// All members are const, allocate nothing and may be called from several threads.
+/// All members are const and may be called from several threads; those for one point allocate nothing.
 ///
 /// \tparam Atlas           a model of `ManifoldAtlas`
 /// \tparam ChartEmbedding  a model of `ChartEmbedding`
@@ -143,35 +148,84 @@ public:
   /// @}
 
   /// \name Evaluation of ranges
-  /// `Range` is a range of domain points or of chart points; one result per point is written to `out`.
+  /// `Range` is a range of domain points or of chart points; one result per point is written to `out`, in
+  /// order, as `point()`, `jet()` and `normal()` give it. Surfaces of hierarchical splines of degree 2 to 5
+  /// on the package's atlases are evaluated in batches, at several times the speed of single points and equal
+  /// up to rounding: positions differ by less than 1e-14 times the size of the controls.
+  ///
+  /// With `ConcurrencyTag` = `Parallel_tag` several threads work on the range. The results are the same for
+  /// any number of threads, and for a point alone or in any range.
   /// @{
 
-  template <class Range, class OutputIterator>
+  /// Positions.
+  template <class ConcurrencyTag = Sequential_tag, class Range, class OutputIterator>
   OutputIterator points(const Range& range, OutputIterator out) const
   {
-    for(const auto& p : range)
-      *out++ = point(p);
-    return out;
+    return evaluate<ConcurrencyTag, 0>(range, out, [](const Eigen::Vector3d& e) { return e; });
   }
 
+  /// Jets with derivatives up to `Order`, 1 or 2.
+  template <class ConcurrencyTag, int Order = 2, class Range, class OutputIterator>
+  OutputIterator jets(const Range& range, OutputIterator out) const
+  {
+    return evaluate<ConcurrencyTag, Order>(range, out, [](const Jet& e) { return e; });
+  }
+
+  /// The same, with `Sequential_tag`.
   template <int Order = 2, class Range, class OutputIterator>
   OutputIterator jets(const Range& range, OutputIterator out) const
   {
-    for(const auto& p : range)
-      *out++ = jet<Order>(p);
-    return out;
+    return jets<Sequential_tag, Order>(range, out);
   }
 
-  template <class Range, class OutputIterator>
+  /// Unit normals.
+  template <class ConcurrencyTag = Sequential_tag, class Range, class OutputIterator>
   OutputIterator normals(const Range& range, OutputIterator out) const
   {
-    for(const auto& p : range)
-      *out++ = normal(p);
-    return out;
+    return evaluate<ConcurrencyTag, 1>(range, out, [](const Jet& e) { return Simple_manifolds::normal(e); });
   }
   /// @}
 
 private:
+  // Order 0: positions
+  template <class ConcurrencyTag, int Order, class Range, class OutputIterator, class Function>
+  OutputIterator evaluate(const Range& range, OutputIterator out, const Function& f) const
+  {
+    constexpr std::size_t chunk = std::is_convertible_v<ConcurrencyTag, Parallel_tag> ? 1 << 16 : 1 << 9;
+    using Point = std::decay_t<decltype(*std::begin(range))>;
+    using Result = std::conditional_t<Order == 0, Eigen::Vector3d, Jet>;
+    std::vector<Point> points;
+    std::vector<Result> results;
+    auto it = std::begin(range);
+    while(it != std::end(range)) {
+      points.clear();
+      for(; it != std::end(range) && points.size() < chunk; ++it)
+        points.push_back(*it);
+      results.resize(points.size());
+      internal::parallel_for<ConcurrencyTag>(0, int(points.size()), [&](int first, int last) {
+        evaluate<Order>(&points[first], last - first, &results[first]);
+      });
+      for(const Result& e : results)
+        *out++ = f(e);
+    }
+    return out;
+  }
+
+  template <int Order, class Point, class Result>
+  void evaluate(const Point* points, int n, Result* results) const
+  {
+    if constexpr(internal::may_have_batches<Manifold_surface>)
+      if(internal::has_batches(*this)) {
+        internal::evaluate_batch<Order>(*this, points, n, results);
+        return;
+      }
+    for(int k = 0; k < n; ++k)
+      if constexpr(Order == 0)
+        results[k] = point(points[k]);
+      else
+        results[k] = jet<Order>(points[k]);
+  }
+
   static constexpr bool has_single_chart = Atlas::number_of_charts == 1;
 
   // The quotient of the sums of w E_c and of w. The product is taken in the chart c, then both are

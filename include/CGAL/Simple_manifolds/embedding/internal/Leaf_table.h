@@ -41,7 +41,8 @@ public:
   // \param levels  as those of Hierarchical_embedding
   template <class Level>
   Leaf_table(int degree, const std::vector<Level>& levels)
-    : base_(levels[0].cells), controls_per_leaf_(std::size_t(degree + 1) * std::size_t(degree + 1))
+    : base_(levels[0].cells), last_((levels[0].cells << finest) - 1),
+      controls_per_leaf_(std::size_t(degree + 1) * std::size_t(degree + 1))
   {
     with_degree(degree, [&](auto d) { Builder<decltype(d)::value, Level>(levels, *this).run(); });
   }
@@ -53,8 +54,8 @@ public:
   {
     // Multiples by powers of two are exact, so that all levels agree on the cell of a point.
     const double x = u * base_, y = v * base_;
-    const int last = (base_ << finest) - 1; // in cells of the finest grid that there can be
-    const int i = (std::min)(int(x * (1 << finest)), last), j = (std::min)(int(y * (1 << finest)), last);
+    // cells of the finest grid that there can be
+    const int i = (std::min)(int(x * (1 << finest)), last_), j = (std::min)(int(y * (1 << finest)), last_);
     int shift = finest - root_level_;
     Entry entry = table_[std::size_t(i >> shift) * root_cells_ + (j >> shift)];
     while(entry.detail >= maximum_levels) {
@@ -235,7 +236,8 @@ private:
     std::vector<std::vector<int>> divided_;
   };
 
-  int base_ = 0;                        // cells per side of the coarsest grid
+  double base_ = 0; // cells per side of the coarsest grid
+  int last_ = 0;    // of the finest grid that there can be, the last cell
   int root_level_ = 0, root_cells_ = 0; // of the first table
   std::size_t controls_per_leaf_ = 1;
   std::vector<Entry> table_;
