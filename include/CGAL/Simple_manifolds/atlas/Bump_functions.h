@@ -59,14 +59,19 @@ public:
   /// The value, the first and the second derivative at `x`; 0 outside of (0,1).
   std::array<double, 3> jet(double x) const
   {
-    // without branches, so that compilers can make packs of several evaluations
-    const double inside = (x > 0) & (x < 1) ? 1 : 0, slope = x <= 0.5 ? 2 : -2;
-    const double y = (1 - slope * 0.5) + slope * x, z = 1 - y; // y = 2x or 2 - 2x
+    if (!(x > 0 && x < 1)) { return {0, 0, 0}; }
+    return inner_jet(x);
+  }
+
+  /// The same for `x` in [0,1], without branches, so that compilers can make packs of several evaluations.
+  std::array<double, 3> inner_jet(double x) const
+  {
+    const double slope = x <= 0.5 ? 2 : -2, y = (1 - slope / 2) + slope * x, z = 1 - y; // y = 2x or 2 - 2x
     // S_K' = (2K+1) C(2K,K) (y (1-y))^K
     constexpr double c = (2 * K + 1) * internal::binomial(2 * K, K);
     const double first = c * internal::power(y * z, K);
     const double second = K == 0 ? 0 : c * K * internal::power(y * z, K - 1) * (z - y);
-    return {inside * rise(y), inside * slope * first, inside * 4 * second};
+    return {rise(y), slope * first, 4 * second};
   }
 
   /// The value in the arithmetic of any field number type.

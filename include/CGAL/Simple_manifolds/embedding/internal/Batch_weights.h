@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_BATCH_WEIGHTS_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_BATCH_WEIGHTS_H
 
+#include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 
@@ -31,6 +32,12 @@ struct alignas(64) Row {
   double operator[](int k) const { return x[k]; }
   double& operator[](int k) { return x[k]; }
 };
+
+// The jet of a bump at a point of [0,1]; elsewhere any numbers.
+template <class Bump>
+std::array<double, 3> bump_jet(const Bump& bump, double x) { return bump.jet(x); }
+template <int K>
+std::array<double, 3> bump_jet(const Smoothstep_bump<K>& bump, double x) { return bump.inner_jet(x); }
 
 // How one of the charts that contain a point contributes to the surface there, with `Order` derivatives.
 //

@@ -102,7 +102,7 @@ private:
   void weights(Slot& slot)
   {
     for(int k = 0; k < row_size; ++k) {
-      const std::array<double, 3> f = bump_.jet(slot.u[k]), g = bump_.jet(slot.v[k]);
+      const std::array<double, 3> f = bump_jet(bump_, slot.u[k]), g = bump_jet(bump_, slot.v[k]);
       for(int n = 0; n <= Order; ++n) {
         f_[n][k] = f[n];
         g_[n][k] = g[n];

@@ -100,14 +100,14 @@ private:
   {
     auto &low = b_[i][0], &high = b_[i][1];
     for(int k = 0; k < row_size; ++k) {
-      const std::array<double, 3> f = bump_.jet(s_[i][k]);
+      const std::array<double, 3> f = bump_jet(bump_, s_[i][k]);
       for(int n = 0; n <= Order; ++n)
         low[n][k] = f[n];
       if constexpr(Is_smoothstep<Bump>::value) { // S(y) + S(1-y) = 1
         for(int n = 0; n <= Order; ++n)
           high[n][k] = (n == 0) - f[n];
       } else {
-        const std::array<double, 3> g = bump_.jet(s_[i][k] + 0.5);
+        const std::array<double, 3> g = bump_jet(bump_, s_[i][k] + 0.5);
         for(int n = 0; n <= Order; ++n)
           high[n][k] = g[n];
       }
