@@ -37,7 +37,8 @@ public:
     : synopsis_(std::move(synopsis)), summary_(std::move(summary)), options_("Options", 100)
   {
     add("output,o", po::value<std::string>()->required(), "where to write (required)");
-    add("method", po::value<std::string>()->default_value("certified"), "how to map: certified, paper");
+    add("method", po::value<std::string>()->default_value("certified"),
+        "how to map: certified, or paper (Grimm 2002), which may fail; the result is certified either way");
     add("close-borders", po::value<std::string>()->default_value("none"),
         "border loops to close by virtual faces: none, inner (all but the longest), all");
     add("threads", po::value<int>(), "threads to use; results do not depend on it");
@@ -73,7 +74,6 @@ public:
     po::notify(values_);
     require_choice("method", {"certified", "paper"});
     require_choice("close-borders", {"none", "inner", "all"});
-    not_yet(get<std::string>("method") == "paper", "--method paper");
     limit_threads();
   }
 

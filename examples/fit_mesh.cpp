@@ -135,6 +135,7 @@ int main(int argc, char** argv)
     options.add("samples", po::value<long>()->default_value(0),
                 "write this many random points of the surface");
     options.parse(argc, argv);
+    options.not_yet(options.get<std::string>("method") == "paper", "--method paper");
     const Fit_request request = fit_request(options);
 
     Stopwatch watch;
