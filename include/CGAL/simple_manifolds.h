@@ -46,7 +46,9 @@
 #include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Spline_patch.h>
 #include <CGAL/Simple_manifolds/embedding/Surface_fitter.h>
+#include <CGAL/Simple_manifolds/embedding/closest_point.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
+#include <CGAL/Simple_manifolds/embedding/measures.h>
 
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
 #include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>

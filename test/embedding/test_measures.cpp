@@ -62,7 +62,7 @@ TEST_CASE("The area of a disk")
 
 TEST_CASE("The estimate holds at each tolerance and for each shape")
 {
-  for(double t : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-7, 1e-9, 1e-11})
+  for(double t : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-7, 1e-9})
     for(const Vector3d& axes :
         {Vector3d(1, 1, 1), Vector3d(1, 2, 3.5), Vector3d(.05, 1, 1), Vector3d(20, 1, 1)}) {
       const auto body = analytic::ellipsoid(axes);
@@ -135,7 +135,7 @@ TEST_CASE("Kinks are no excuse: area and volume of a polyhedron")
 TEST_CASE("The same bits, in parallel or not")
 {
   const auto body = spline_surface<SM::Sphere_atlas>(bumpy_sphere, 8, .05);
-  const auto np = tolerance(1e-9);
+  const auto np = tolerance(1e-7);
   const SM::Integral one = SM::volume(body, np), two = SM::volume<CGAL::Parallel_if_available_tag>(body, np);
   CHECK(one.value == two.value);
   CHECK(one.error == two.error);

@@ -35,8 +35,8 @@ namespace Simple_manifolds {
 /// An integral over a surface.
 struct Integral {
   double value;
-  /// An estimate of |value - true value|, on the safe side: the change that the last refinement made, summed
-  /// without signs over all cells, while `value` has the refinement in it.
+  /// An estimate of |value - true value|, on the safe side: the changes that the last refinement made, summed
+  /// without signs over all cells, while `value` has that refinement in it.
   double error;
 };
 
@@ -61,22 +61,15 @@ public:
       c.coarse = rule(c.tile, c.i, c.j, c.size);
     refine(cells, 0);
     for(;;) {
-      Integral sum = {0, 0};
-      double scale = 0;
+      double value = 0, error = 0, scale = 0;
       for(const Cell& c : cells) {
-        sum.value += c.fine();
-        sum.error += c.error();
+        value += c.fine();
+        error += c.error();
         scale += std::abs(c.fine());
       }
       const double target = relative_error * scale;
-      if(!(sum.error > target) || cells.size() > max_cells) {
-        sum.error += rounding * scale;
-        return sum;
-      }
-      const std::size_t old = cells.size();
-      split_worst(cells, target / 2);
-      if(cells.size() == old)
-        return sum; // nothing but cells that are too small to be split
+      if(!(error > target) || cells.size() > max_cells || !split_worst(cells, target / 2))
+        return {value, error + rounding * scale};
     }
   }
 
@@ -98,21 +91,21 @@ private:
     double error() const { return std::abs(coarse - fine()); }
   };
 
-  // Quarters the worst cells, so that the errors of the others sum to at most `rest`.
-  void split_worst(std::vector<Cell>& cells, double rest) const
+  // Quarters the worst cells, so that the errors of the others sum to at most `rest`; false if there are none.
+  bool split_worst(std::vector<Cell>& cells, double rest) const
   {
     std::vector<int> order;
     for(int k = 0; k < int(cells.size()); ++k)
       if(cells[k].size > smallest)
         order.push_back(k);
-      else
-        rest -= cells[k].error();
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return cells[a].error() < cells[b].error(); });
     std::size_t kept = 0;
     for(; kept < order.size() && cells[order[kept]].error() <= rest; ++kept)
       rest -= cells[order[kept]].error();
     order.erase(order.begin(), order.begin() + kept);
+    if(order.empty())
+      return false;
     std::sort(order.begin(), order.end());
     const std::size_t first = cells.size();
     cells.reserve(first + 4 * order.size());
@@ -130,6 +123,7 @@ private:
         cells[end++] = cells[k];
     }
     cells.resize(end);
+    return true;
   }
 
   // fills in the quarters of the cells from `first` on
