@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/atlas/Partition_of_unity.h>
+#include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/parallel_for.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
@@ -235,6 +236,15 @@ private:
   {
     if constexpr (has_single_chart) {
       return charts_[0].template jet<Order>(a.uv);
+    } else if constexpr (std::is_same_v<Atlas, Torus_atlas>) { // no changes of chart: they are translations
+      Scalar_jet weight = Scalar_jet::zero();
+      Jet sum = Jet::zero();
+      for(const Chart_point& q : atlas().charts_at(p.value)) {
+        const Scalar_jet w = partition_.proto_jet(q.uv);
+        weight += w;
+        sum += product(w, charts_[q.chart].template jet<Order>(q.uv));
+      }
+      return quotient_of_order<Order>(sum, weight);
     } else {
       Scalar_jet weight = partition_.proto_jet(a.uv);
       Jet sum = product(weight, charts_[a.chart].template jet<Order>(a.uv));
@@ -244,11 +254,17 @@ private:
         const Transition_jet psi = atlas().chart(c).coordinates_jet(p);
         add(partition_.proto_jet(psi.value), charts_[c].template jet<Order>(psi.value), psi, weight, sum);
       }
-      Jet e = quotient(sum, weight);
-      if constexpr (Order < 2)
-        e.uu = e.uv = e.vv = Eigen::Vector3d::Zero();
-      return e;
+      return quotient_of_order<Order>(sum, weight);
     }
+  }
+
+  template <int Order>
+  static Jet quotient_of_order(const Jet& sum, const Scalar_jet& weight)
+  {
+    Jet e = quotient(sum, weight);
+    if constexpr (Order < 2)
+      e.uu = e.uv = e.vv = Eigen::Vector3d::Zero();
+    return e;
   }
 
   // adds w and w E_c, seen through psi

@@ -41,7 +41,7 @@ public:
   // \param levels  as those of Hierarchical_embedding
   template <class Level>
   Leaf_table(int degree, const std::vector<Level>& levels)
-    : base_(levels[0].cells), last_((levels[0].cells << finest) - 1),
+    : base_(levels[0].cells), last_(base_ * (1 << finest) - 0.5),
       controls_per_leaf_(std::size_t(degree + 1) * std::size_t(degree + 1))
   {
     with_degree(degree, [&](auto d) { Builder<decltype(d)::value, Level>(levels, *this).run(); });
@@ -54,8 +54,29 @@ public:
   {
     // Multiples by powers of two are exact, so that all levels agree on the cell of a point.
     const double x = u * base_, y = v * base_;
-    // cells of the finest grid that there can be
-    const int i = (std::min)(int(x * (1 << finest)), last_), j = (std::min)(int(y * (1 << finest)), last_);
+    const Place place = find_place(cell(x), cell(y));
+    return {place.controls, place.scale * base_, in_leaf(x, place.scale), in_leaf(y, place.scale)};
+  }
+
+  // The steps of find(), for many points at once. All but find_place() can be made packs of.
+
+  struct Place {
+    const Quad* controls;
+    double scale; // 2^level
+  };
+
+  // cells per side of the coarsest grid
+  double base() const { return base_; }
+  // The cell of the finest grid that there can be, of a coordinate in units of base cells.
+  int cell(double x) const { return int((std::min)(x * (1 << finest), last_)); }
+  // The coordinate in the leaf, in [0,1].
+  double in_leaf(double x, double scale) const
+  {
+    return scale * x - int((std::min)(scale * x, scale * base_ - 0.5)); // the end of the square is in the last
+  }
+
+  Place find_place(int i, int j) const
+  {
     int shift = finest - root_level_;
     Entry entry = table_[std::size_t(i >> shift) * root_cells_ + (j >> shift)];
     while(entry.detail >= maximum_levels) {
@@ -63,10 +84,7 @@ public:
       shift -= depth;
       entry = table_[entry.index + (std::size_t(i >> shift & mask) << depth) + (j >> shift & mask)];
     }
-    shift = finest - entry.detail;
-    const double scale = 1 << entry.detail;
-    return {&controls_[entry.index * controls_per_leaf_], scale * base_, scale * x - (i >> shift),
-            scale * y - (j >> shift)};
+    return {&controls_[entry.index * controls_per_leaf_], double(1 << entry.detail)};
   }
 
 private:
@@ -237,7 +255,7 @@ private:
   };
 
   double base_ = 0; // cells per side of the coarsest grid
-  int last_ = 0;    // of the finest grid that there can be, the last cell
+  double last_ = 0; // the middle of the last cell of the finest grid that there can be
   int root_level_ = 0, root_cells_ = 0; // of the first table
   std::size_t controls_per_leaf_ = 1;
   std::vector<Entry> table_;

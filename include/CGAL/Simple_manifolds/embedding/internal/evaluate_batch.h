@@ -129,19 +129,30 @@ public:
   template <class Surface, class Slot>
   void add(const Surface& surface, const Slot& slot)
   {
+    const Leaf_table& first = surface.chart_embedding(0).leaves(); // all have the same base
     for(int k = 0; k < row_size; ++k) {
-      const int chart = (std::max)(int(slot.chart[k]), 0);
-      const bool exists = slot.chart[k] >= 0;
-      const Leaf_table::Leaf leaf =
-        surface.chart_embedding(chart).leaves().find(exists ? slot.u[k] : 0, exists ? slot.v[k] : 0);
-      controls_[k] = leaf.controls;
-      prefetch(leaf.controls);
-      cells_[k] = leaf.cells;
-      s_[k] = leaf.s;
-      t_[k] = leaf.t;
+      x_[k] = slot.u[k] * first.base();
+      y_[k] = slot.v[k] * first.base();
+      i_[k] = first.cell(x_[k]);
+      j_[k] = first.cell(y_[k]);
     }
-    a_.compute(s_, cells_);
-    b_.compute(t_, cells_);
+    for(int k = 0; k < row_size; ++k) {
+      const int chart = int(slot.chart[k]);
+      scale_[k] = 1;
+      if(chart >= 0) {
+        const Leaf_table::Place place = surface.chart_embedding(chart).leaves().find_place(i_[k], j_[k]);
+        controls_[k] = place.controls;
+        scale_[k] = place.scale;
+        prefetch(place.controls);
+      }
+    }
+    for(int k = 0; k < row_size; ++k) {
+      s_[k] = first.in_leaf(x_[k], scale_[k]);
+      t_[k] = first.in_leaf(y_[k], scale_[k]);
+      scale_[k] *= first.base();
+    }
+    a_.compute(s_, scale_);
+    b_.compute(t_, scale_);
     for(int k = 0; k < row_size; ++k)
       if(slot.chart[k] >= 0)
         for(int i = 0; i < 4 / Width; ++i) {
@@ -201,7 +212,8 @@ private:
   }
 
   std::array<const Quad*, row_size> controls_;
-  Row cells_, s_, t_;
+  Row x_, y_, s_, t_, scale_;
+  std::array<int, row_size> i_, j_;
   Basis_rows<D, Order> a_, b_;
   std::array<Sums, row_size> sums_;
 };
@@ -220,15 +232,17 @@ template <class Surface>
 constexpr bool may_have_batches = std::is_same_v<typename Surface::Chart_embedding, Hierarchical_embedding>
                                && has_batch_weights<typename Surface::Atlas>;
 
-// Whether it can evaluate this one: all charts have one degree, one of those that are compiled.
+// Whether it can evaluate this one: all charts have one base grid and one degree, of those that are compiled.
 template <class Surface>
 bool has_batches(const Surface& surface)
 {
-  const int degree = surface.chart_embedding(0).degree();
-  for(int c = 1; c < Surface::Atlas::number_of_charts; ++c)
-    if(surface.chart_embedding(c).degree() != degree)
+  const Hierarchical_embedding& first = surface.chart_embedding(0);
+  for(int c = 1; c < Surface::Atlas::number_of_charts; ++c) {
+    const Hierarchical_embedding& e = surface.chart_embedding(c);
+    if(e.degree() != first.degree() || e.levels()[0].cells != first.levels()[0].cells)
       return false;
-  return degree >= 2 && degree <= 5;
+  }
+  return first.degree() >= 2 && first.degree() <= 5;
 }
 
 // Evaluates n points. The result for a point does not depend on the others.
