@@ -84,14 +84,15 @@ closest_point(const Surface& surface, const Eigen::Vector3d& x, const typename S
 ///
 /// The constructor covers the surface with cells, each two triangles with corners on the surface and a
 /// *slack*: the surface over the cell is taken to lie within that distance of the triangles. Cells are
-/// quartered until their slack is a tenth of their size or less. A query searches each cell that
+/// quartered until their slack is 0.04 of their size or 1e-4 of the diagonal. A query searches each cell that
 /// this bound does not exclude, by Newton steps from the point of the triangles closest to x, and returns the
 /// best point that they lead to.
 ///
 /// What is guaranteed: no point of a cell is closer to x than the result by more than a billionth of the
-/// diagonal of the surface, if that cell's slack is right and Newton steps find the minimum in the cell. The
-/// slack is twice the largest deviation at 25 samples of the cell, so it is an estimate, for embeddings of any
-/// kind: it can fail for details smaller than 1/64 of a tile that leave no trace at the samples.
+/// diagonal of the surface, if that cell's slack is right and Newton steps find the minimum in the cell, which
+/// is nearly flat. The slack is twice the largest deviation at 25 samples of the cell, so it is an estimate,
+/// for embeddings of any kind: it can fail for details smaller than 1/64 of a tile that leave no trace at the
+/// samples.
 ///
 /// All members are const and may be called from several threads.
 template <class Surface_>

@@ -70,16 +70,19 @@ public:
 
   explicit Surface_box_tree(const Surface& surface) : surface_(surface)
   {
-    constexpr int tiles = Surface::Atlas::number_of_charts;
+    constexpr int tiles = Surface::Atlas::number_of_charts, n = 8;
+    Box box;
+    for(int tile = 0; tile < tiles; ++tile)
+      for(int i = 0; i <= n; ++i)
+        for(int j = 0; j <= n; ++j)
+          box.extend(surface.point(surface.atlas().tile_point(tile, double(i) / n, double(j) / n)));
+    diagonal_ = box.diagonal().norm();
     nodes_.resize(tiles);
-    Box all;
-    for(int tile = 0; tile < tiles; ++tile) {
+    for(int tile = 0; tile < tiles; ++tile)
       build(tile, {tile, 0, 0, 1});
-      all.extend(nodes_[tile].box);
-    }
-    diagonal_ = all.diagonal().norm();
   }
 
+  // Of the box round some points of the surface.
   double diagonal() const { return diagonal_; }
   std::size_t number_of_cells() const { return cells_.size(); }
 
@@ -124,7 +127,9 @@ public:
 private:
   static constexpr double first_size = 1. / 16, last_size = 1. / 4096; // of a cell, in a tile
   static constexpr int samples = 4;                                    // per side
-  static constexpr double safety = 2, flatness = 0.1, rounding = 1e-12;
+  static constexpr double safety = 2, rounding = 1e-12;
+  // a cell is quartered if its slack is larger than that part of its size, and than that part of the diagonal
+  static constexpr double flatness = 0.04, detail = 1e-4;
 
   struct Square { // [i,i+1] x [j,j+1], times its size, of a tile
     int tile, i, j;
@@ -194,7 +199,7 @@ private:
     for(const Point& x : p)
       deviation = (std::max)(deviation, square_distance(x, cell.corners, st));
     cell.slack = safety * std::sqrt(deviation);
-    if(cell.slack > flatness * size(cell) && q.size > last_size)
+    if(cell.slack > (std::max)(flatness * size(cell), detail * diagonal_) && q.size > last_size)
       return false;
     cells_.push_back(cell);
     return true;
