@@ -31,13 +31,13 @@ enum class Partition_step {
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// A step of the paper's partition failed, which the paper says may happen (section 5.4): on meshes with thin parts of few
-/// vertices, mostly. The code is `Error_code::partition_failed`.
+/// A step of the paper's partition failed, which the paper says may happen (section 5.4): on meshes with thin
+/// parts of few vertices, mostly. The code is `Error_code::partition_failed`.
 class Partition_error : public Error {
 public:
   Partition_error(Partition_step step, const std::string& why)
-    : Error(Error_code::partition_failed, "the partition of the paper failed at its step '" + name(step) + "': " + why
-            + "; the certified method does not need a partition"),
+    : Error(Error_code::partition_failed, "the partition of the paper failed at its step '" + name(step)
+            + "': " + why + "; the certified method does not need a partition"),
       step_(step)
   {}
 

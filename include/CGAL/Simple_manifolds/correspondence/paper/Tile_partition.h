@@ -28,9 +28,9 @@ namespace Simple_manifolds {
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// The borders of the tiles of an atlas, drawn on a mesh: `sides[c][k]` leads from corner k to corner k+1 of tile c,
-/// with the tile on its left. Corners 0, 1, 2, 3 are (0,0), (1,0), (1,1), (0,1) of the tile. Adjacent tiles have the
-/// same side in opposite directions.
+/// The borders of the tiles of an atlas, drawn on a mesh: `sides[c][k]` leads from corner k to corner k+1 of
+/// tile c, with the tile on its left. Corners 0, 1, 2, 3 are (0,0), (1,0), (1,1), (0,1) of the tile. Adjacent
+/// tiles have the same side in opposite directions.
 template <class FaceGraph>
 struct Tile_partition {
   using vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
@@ -63,8 +63,8 @@ struct Path_network {
 
 namespace internal {
 
-// Corner k of a tile, and the i-th of the n + 1 evenly spaced points of its side k: the same doubles for both tiles
-// of the side.
+// Corner k of a tile, and the i-th of the n + 1 evenly spaced points of its side k: the same doubles for both
+// tiles of the side.
 template <class Atlas>
 typename Atlas::Domain_point side_point(const Atlas& atlas, int tile, int k, std::size_t i, std::size_t n)
 {
@@ -103,9 +103,10 @@ Tile_partition<FaceGraph> tile_partition(const Atlas& atlas, const FaceGraph& me
 /// \ingroup PkgSimpleManifoldsPaper
 ///
 /// Numbers the faces by their tiles: a flood fill between the sides, which is examined.
-/// \param tile  a `ReadWritePropertyMap` face -> int; when the function throws, it has the regions that were found
-/// \throw Partition_error (`TILES`)  if the regions between the sides are not the tiles, each a disk on the left of
-///   its four sides
+/// \param tile  a `ReadWritePropertyMap` face -> int; when the function throws, it has the regions that were
+///   found
+/// \throw Partition_error (`TILES`)  if the regions between the sides are not the tiles, each a disk on the
+///   left of its four sides
 template <class FaceGraph, class FaceTileMap>
 void label_tiles(const FaceGraph& mesh, const Tile_partition<FaceGraph>& partition, FaceTileMap tile)
 {
@@ -135,9 +136,9 @@ void label_tiles(const FaceGraph& mesh, const Tile_partition<FaceGraph>& partiti
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// Replaces each inner side that is longer than necessary by a shortest path between its corners that does not touch the
-/// other sides. Then no edge of the mesh joins two vertices of a side, but for the edges of the side: such an edge would lie
-/// on the border of the tile, and the faces beside it would have no area.
+/// Replaces each inner side that is longer than necessary by a shortest path between its corners that does
+/// not touch the other sides. Then no edge of the mesh joins two vertices of a side, but for the edges of the
+/// side: such an edge would lie on the border of the tile, and the faces beside it would have no area.
 /// \return the number of sides that were replaced
 /// \pre the tiles are disks and two of them share one side at most
 template <class FaceGraph>

@@ -23,15 +23,16 @@ namespace Simple_manifolds {
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// The number of faces of a triangle mesh that are not positive in the domain, in exact arithmetic: 0 where each
-/// vertex lies in the polygon of its neighbours, which is when the paper stops.
+/// The number of faces of a triangle mesh that are not positive in the domain, in exact arithmetic: 0 where
+/// each vertex lies in the polygon of its neighbours, which is when the paper stops.
 template <class Atlas, class FaceGraph, class DomainPointMap>
 std::size_t number_of_flips(const Atlas& atlas, const FaceGraph& mesh, DomainPointMap domain_point)
 {
   std::size_t flips = 0;
   for (const auto f : faces(mesh)) {
     const auto h = halfedge(f, mesh);
-    flips += !internal::is_face_positive(atlas, get(domain_point, source(h, mesh)), get(domain_point, target(h, mesh)),
+    flips += !internal::is_face_positive(atlas, get(domain_point, source(h, mesh)),
+                                         get(domain_point, target(h, mesh)),
                                          get(domain_point, target(next(h, mesh), mesh)));
   }
   return flips;
@@ -39,18 +40,20 @@ std::size_t number_of_flips(const Atlas& atlas, const FaceGraph& mesh, DomainPoi
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// Moves each vertex towards the centroid of its neighbours (*Adjust centroids* of Grimm 2002, section 5.2), one after
-/// the other. A vertex whose faces are all positive moves only as far as they stay so; another one moves anyway. So the
-/// number of faces that are not positive falls, in general, and 0 stays 0. Vertices on the border of the mesh stay.
+/// Moves each vertex towards the centroid of its neighbours (*Adjust centroids* of Grimm 2002, section 5.2),
+/// one after the other. A vertex whose faces are all positive moves only as far as they stay so; another one
+/// moves anyway. So the number of faces that are not positive falls, in general, and 0 stays 0. Vertices on
+/// the border of the mesh stay.
 /// \param domain_point  a `ReadWritePropertyMap` vertex -> `Atlas::Domain_point`
 template <class Atlas, class FaceGraph, class DomainPointMap>
-void adjust_centroids(const Atlas& atlas, const FaceGraph& mesh, DomainPointMap domain_point, int number_of_iterations)
+void adjust_centroids(const Atlas& atlas, const FaceGraph& mesh, DomainPointMap domain_point,
+                      int number_of_iterations)
 {
   using Point = typename Atlas::Domain_point;
   std::vector<Point> ring;
   const auto is_star_positive = [&](const Point& p) {
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      if (!internal::is_face_positive(atlas, p, ring[(i + 1) % ring.size()], ring[i])) // the ring is clockwise
+    for (std::size_t i = 0; i < ring.size(); ++i) // the ring is clockwise
+      if (!internal::is_face_positive(atlas, p, ring[(i + 1) % ring.size()], ring[i]))
         return false;
     return true;
   };

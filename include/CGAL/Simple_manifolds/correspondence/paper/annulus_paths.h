@@ -29,8 +29,8 @@ namespace Simple_manifolds {
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// The vertices of a loop from which vertices of another one can be reached through free vertices, in the order of
-/// the loop: the search for corners is limited to these (Grimm 2002, section 5.4).
+/// The vertices of a loop from which vertices of another one can be reached through free vertices, in the
+/// order of the loop: the search for corners is limited to these (Grimm 2002, section 5.4).
 /// \param loop, other  vertices
 /// \param is_free  vertex -> bool; false for the vertices of the loops
 template <class FaceGraph, class IsFree>
@@ -60,8 +60,8 @@ template <class Vertex>
 std::vector<Vertex> evenly_spaced(const std::vector<Vertex>& loop, std::size_t n, std::size_t offset = 0)
 {
   if (loop.size() < n)
-    throw Partition_error(Partition_step::CORNERS, "a loop has " + std::to_string(loop.size()) + " accessible vertices, "
-                          + std::to_string(n) + " are needed");
+    throw Partition_error(Partition_step::CORNERS, "a loop has " + std::to_string(loop.size())
+                          + " accessible vertices, " + std::to_string(n) + " are needed");
   std::vector<Vertex> result;
   for (std::size_t i = 0; i < n; ++i)
     result.push_back(loop[(offset + (2 * i * loop.size() + n) / (2 * n)) % loop.size()]);
@@ -70,8 +70,8 @@ std::vector<Vertex> evenly_spaced(const std::vector<Vertex>& loop, std::size_t n
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// As many evenly spaced vertices of a loop as there are in `from`, so that those with the same place in the two lists
-/// are near to each other: with the least sum of distances.
+/// As many evenly spaced vertices of a loop as there are in `from`, so that those with the same place in the
+/// two lists are near to each other: with the least sum of distances.
 template <class FaceGraph, class IsFree>
 std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor>
 nearest_evenly_spaced(const FaceGraph& mesh,
@@ -99,9 +99,10 @@ nearest_evenly_spaced(const FaceGraph& mesh,
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// Shortest paths from each vertex of a list to that with the same place in another list, which neither touch nor
-/// cross each other: the vertices of a path are not accessible to the later ones. Where it can, a path also keeps off
-/// the neighbours of the borders and of the earlier paths, so that it does not shut in the corners of later ones.
+/// Shortest paths from each vertex of a list to that with the same place in another list, which neither touch
+/// nor cross each other: the vertices of a path are not accessible to the later ones. Where it can, a path
+/// also keeps off the neighbours of the borders and of the earlier paths, so that it does not shut in the
+/// corners of later ones.
 /// \param from, to  on the two borders of an annulus, in the same direction round it
 /// \param is_free  vertex -> bool: the inner vertices of the annulus
 /// \throw Partition_error (`PATHS`)  if there is no such path

@@ -41,8 +41,8 @@ struct Distance_visitor : boost::default_bfs_visitor {
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// The number of edges from each vertex to the nearest of some sources: what Grimm 2002, section 5.2, calls distance.
-/// A breadth first search, linear time.
+/// The number of edges from each vertex to the nearest of some sources: what Grimm 2002, section 5.2, calls
+/// distance. A breadth first search, linear time.
 ///
 /// \param graph  a model of `VertexListGraph` and `IncidenceGraph`, e.g. a mesh or a `Face_filtered_graph`
 /// \param sources  a range of vertices
@@ -79,7 +79,8 @@ void edge_distances(const Graph& graph, const VertexRange& sources, DistanceMap 
 /// Of the vertices with the largest distance the first one.
 /// \pre the graph has vertices
 template <class Graph, class DistanceMap>
-typename boost::graph_traits<Graph>::vertex_descriptor farthest_vertex(const Graph& graph, DistanceMap distance)
+typename boost::graph_traits<Graph>::vertex_descriptor
+farthest_vertex(const Graph& graph, DistanceMap distance)
 {
   const auto all = vertices(graph);
   return *std::max_element(all.begin(), all.end(),
@@ -88,11 +89,12 @@ typename boost::graph_traits<Graph>::vertex_descriptor farthest_vertex(const Gra
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// Vertices that are far from each other: the first is farthest from the first vertex of the mesh, each other one
-/// farthest from those before. For two vertices, this finds a diameter or nearly so.
+/// Vertices that are far from each other: the first is farthest from the first vertex of the mesh, each other
+/// one farthest from those before. For two vertices, this finds a diameter or nearly so.
 /// \pre `mesh` has at least `n` vertices
 template <class FaceGraph>
-std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> far_vertices(const FaceGraph& mesh, int n)
+std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor>
+far_vertices(const FaceGraph& mesh, int n)
 {
   const auto distance = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
   std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> result{*vertices(mesh).begin()};

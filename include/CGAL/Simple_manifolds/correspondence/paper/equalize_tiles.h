@@ -47,18 +47,19 @@ std::array<std::size_t, Atlas::number_of_charts> faces_per_tile(const Atlas& atl
 ///
 /// What `equalize_tiles()` has reached.
 struct Equalization_report {
-  int rounds = 0;                   ///< that were carried out
-  int best_round = 0;               ///< the one whose map was kept; 0: the map that the tiles were projected to
-  double largest_deviation = 0;     ///< of the number of faces in a tile from its mean, over the mean
-  bool has_stopped_by_rule = false; ///< all vertices in the polygons of their neighbours, and a deviation below the limit
+  int rounds = 0;               ///< that were carried out
+  int best_round = 0;           ///< the one whose map was kept; 0: the map that the tiles were projected to
+  double largest_deviation = 0; ///< of the number of faces in a tile from its mean, over the mean
+  /// All vertices lie in the polygons of their neighbours, and the deviation is below the limit.
+  bool has_stopped_by_rule = false;
 };
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// The iteration of Grimm 2002, section 5.4: reproject the chart with the fewest faces, that with the most, then all
-/// of them, and adjust the centroids 30 times; until every vertex lies in the polygon of its neighbours and the deviation
-/// of the number of faces per tile is below 0.2. The paper has no proof that this converges: it works on copies, and the best
-/// map without a flip is kept.
+/// The iteration of Grimm 2002, section 5.4: reproject the chart with the fewest faces, that with the most,
+/// then all of them, and adjust the centroids 30 times; until every vertex lies in the polygon of its
+/// neighbours and the deviation of the number of faces per tile is below 0.2. The paper has no proof that
+/// this converges: it works on copies, and the best map without a flip is kept.
 ///
 /// \pre no face is flipped
 template <class Atlas, class FaceGraph, class DomainPointMap>

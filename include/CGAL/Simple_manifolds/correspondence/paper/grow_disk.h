@@ -27,15 +27,15 @@ namespace Simple_manifolds {
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// A region of faces that grows by rings and keeps its topology (*Grow disk* of Grimm 2002, section 5.2): grown
-/// from a face it is a disk, grown from one side of a loop of edges an annulus.
+/// A region of faces that grows by rings and keeps its topology (*Grow disk* of Grimm 2002, section 5.2):
+/// grown from a face it is a disk, grown from one side of a loop of edges an annulus.
 ///
 /// A face is added only if what it shares with the region, edges and vertices, is one contiguous piece of its
 /// border that has an edge. So the faces need not be triangles.
 ///
 /// \tparam FaceGraph  e.g. `Surface_mesh`
-/// \tparam FaceRegionMap  a `ReadWritePropertyMap` face -> int, shared by all regions that grow in the mesh; only
-///   faces with the value `free_face` are added
+/// \tparam FaceRegionMap  a `ReadWritePropertyMap` face -> int, shared by all regions that grow in the mesh;
+///   only faces with the value `free_face` are added
 template <class FaceGraph, class FaceRegionMap>
 class Growing_region {
 public:
@@ -74,7 +74,8 @@ public:
   /// Whether the region keeps its topology when the face is added.
   bool is_contiguous(face_descriptor f) const
   {
-    // The corners and edges of the face in turn: those of the region are to be one run, not all, with an edge.
+    // The corners and edges of the face in turn: those of the region are to be one run, not all, with an
+    // edge.
     int runs = 0, edges = 0;
     bool previous = has_edge(prev(halfedge(f, mesh_), mesh_)), is_missing = false;
     for (const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, mesh_), mesh_)) {
@@ -167,7 +168,8 @@ std::size_t grow_disk(const FaceGraph& mesh, typename boost::graph_traits<FaceGr
 /// \param most_faces  of one region
 /// \pre one speed per region
 template <class FaceGraph, class FaceRegionMap>
-void grow_regions(std::vector<Growing_region<FaceGraph, FaceRegionMap>>& regions, const std::vector<int>& speeds,
+void grow_regions(std::vector<Growing_region<FaceGraph, FaceRegionMap>>& regions,
+                  const std::vector<int>& speeds,
                   std::size_t most_faces = std::numeric_limits<std::size_t>::max())
 {
   CGAL_precondition(regions.size() == speeds.size());
@@ -181,9 +183,9 @@ void grow_regions(std::vector<Growing_region<FaceGraph, FaceRegionMap>>& regions
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// Smooths the border of a disk (Grimm 2002, Figure 5): removes its *fins*, faces with all but one edge at the border,
-/// and fills its *chinks*, free triangles with two edges at the border. Each step makes the border shorter by an edge,
-/// and the region stays a disk.
+/// Smooths the border of a disk (Grimm 2002, Figure 5): removes its *fins*, faces with all but one edge at
+/// the border, and fills its *chinks*, free triangles with two edges at the border. Each step makes the
+/// border shorter by an edge, and the region stays a disk.
 /// \param region  as for `Growing_region`
 /// \pre the region is a disk of triangles
 template <class FaceGraph, class FaceRegionMap>
@@ -194,7 +196,7 @@ void remove_fins_and_chinks(const FaceGraph& mesh, FaceRegionMap region, int id)
   const auto border_edges = [&](const auto f) {
     int n = 0;
     for (const auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
-      n += is_inside(f) ? is_region_border(mesh, h, is_inside) : is_region_border(mesh, opposite(h, mesh), is_inside);
+      n += is_region_border(mesh, is_inside(f) ? h : opposite(h, mesh), is_inside);
     return n;
   };
   for (bool has_changed = true; has_changed;) {
@@ -208,7 +210,8 @@ void remove_fins_and_chinks(const FaceGraph& mesh, FaceRegionMap region, int id)
           put(region, face(h, mesh), free_face);
           has_changed = true;
         }
-        else if (!is_border(o, mesh) && get(region, face(o, mesh)) == free_face && border_edges(face(o, mesh)) == 2) {
+        else if (!is_border(o, mesh) && get(region, face(o, mesh)) == free_face
+                 && border_edges(face(o, mesh)) == 2) {
           put(region, face(o, mesh), id);
           has_changed = true;
         }

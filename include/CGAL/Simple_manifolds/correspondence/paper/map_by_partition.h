@@ -35,15 +35,17 @@ namespace Simple_manifolds {
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// How `map_by_partition()` came to its result, or how far: the tiles of a partition that failed can be drawn, too.
+/// How `map_by_partition()` came to its result, or how far: the tiles of a partition that failed can be
+/// drawn, too.
 struct Partition_report {
-  std::vector<Eigen::Vector3d> points; ///< of the mesh that was cut into tiles: the input, subdivided or simplified
+  /// The mesh that was cut into tiles: the input, subdivided or simplified.
+  std::vector<Eigen::Vector3d> points;
   std::vector<Triangle> faces;
-  std::vector<int> tile;               ///< per face; -1 or a region where the partition failed
-  int attempts = 0;                    ///< the last one has succeeded, or the error that was thrown is its error
-  int subdivisions = 0;                ///< of the input, in the last attempt
-  std::size_t removed_vertices = 0;    ///< by simplification, in the last attempt
-  Equalization_report equalization;    ///< sphere and torus
+  std::vector<int> tile;            ///< per face; -1 or a region where the partition failed
+  int attempts = 0;                 ///< the last one has succeeded, or its error was thrown
+  int subdivisions = 0;             ///< of the input, in the last attempt
+  std::size_t removed_vertices = 0; ///< by simplification, in the last attempt
+  Equalization_report equalization; ///< sphere and torus
 };
 
 namespace internal {
@@ -56,7 +58,8 @@ public:
   static constexpr int most_vertices = 3000; // Grimm 2002, section 5.1: meshes of 400 to 3000 vertices suit
 
   Partition_mapper(const Mesh_arrays& arrays, Projection_weights weights, Partition_report& report)
-    : arrays_(arrays), points_(arrays.points), triangles_(arrays.triangles), weights_(weights), report_(report)
+    : arrays_(arrays), points_(arrays.points), triangles_(arrays.triangles), weights_(weights),
+      report_(report)
   {}
 
   template <class Visitor>
@@ -89,7 +92,7 @@ private:
       } catch (const Partition_error&) {
         if (target < n)
           continue;
-        if (report_.subdivisions == most_subdivisions || 4 * static_cast<int>(points_.size()) > 10 * most_vertices)
+        if (report_.subdivisions == most_subdivisions || 4 * points_.size() > 10 * most_vertices)
           throw;
         subdivide(points_, triangles_);
         ++report_.subdivisions;
@@ -215,13 +218,14 @@ private:
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// Maps a mesh to the canonical surface of its genus as Grimm 2002, section 5, does: the mesh is cut into disks, one for each
-/// tile, the disks are projected onto the tiles, and the whole is evened out. Meshes of more than 3,000 vertices are
-/// simplified first and their vertices put back at the end; when the partition fails, it is tried with a finer mesh, at last with
-/// a subdivision.
+/// Maps a mesh to the canonical surface of its genus as Grimm 2002, section 5, does: the mesh is cut into
+/// disks, one for each tile, the disks are projected onto the tiles, and the whole is evened out. Meshes of
+/// more than 3,000 vertices are simplified first and their vertices put back at the end; when the partition
+/// fails, it is tried with a finer mesh, at last with a subdivision.
 ///
-/// The result is certified, as every map. But a map need not be found: then the error says at which step, and why. The functions
-/// `map_to_sphere()`, `map_to_torus()` and `map_to_plane()` do not fail, and their maps have less distortion.
+/// The result is certified, as every map. But a map need not be found: then the error says at which step, and
+/// why. The functions `map_to_sphere()`, `map_to_torus()` and `map_to_plane()` do not fail, and their maps
+/// have less distortion.
 ///
 /// \tparam FaceListGraph  a model of `FaceListGraph`; faces may be polygons, and are cut into triangles then
 /// \param np  named parameters
@@ -232,8 +236,8 @@ private:
 ///     \cgalParamDefault{`Close_borders::NONE`} \cgalParamNEnd
 ///   \cgalParamNBegin{projection_weights} \cgalParamDescription{see `Projection_weights`}
 ///     \cgalParamDefault{`Projection_weights::CENTROID`} \cgalParamNEnd
-///   \cgalParamNBegin{partition_report} \cgalParamDescription{a `std::reference_wrapper<Partition_report>`, filled even when the
-///     partition fails} \cgalParamNEnd
+///   \cgalParamNBegin{partition_report} \cgalParamDescription{a `std::reference_wrapper<Partition_report>`,
+///     filled even when the partition fails} \cgalParamNEnd
 ///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel, a model of
 ///     `SimpleManifoldsVisitor` passed by `std::ref`} \cgalParamNEnd
 /// \cgalNamedParamsEnd

@@ -28,8 +28,8 @@ namespace Simple_manifolds {
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// Whether a mesh of genus 1 stays in one piece when it is cut along a simple loop: whether the loop cannot be
-/// contracted.
+/// Whether a mesh of genus 1 stays in one piece when it is cut along a simple loop: whether the loop cannot
+/// be contracted.
 template <class FaceGraph>
 bool is_non_contractible(const FaceGraph& mesh, const Edge_path<FaceGraph>& loop)
 {
@@ -38,8 +38,8 @@ bool is_non_contractible(const FaceGraph& mesh, const Edge_path<FaceGraph>& loop
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// Takes short cuts along single edges between vertices of a simple loop that cannot be contracted, until there are none; it
-/// stays such a loop.
+/// Takes short cuts along single edges between vertices of a simple loop that cannot be contracted, until
+/// there are none; it stays such a loop.
 /// \param may_use  edge -> bool: the short cuts to consider
 template <class FaceGraph, class MayUse>
 Edge_path<FaceGraph> shorten_loop(const FaceGraph& mesh, Edge_path<FaceGraph> loop, const MayUse& may_use)
@@ -73,8 +73,8 @@ Edge_path<FaceGraph> shorten_loop(const FaceGraph& mesh, Edge_path<FaceGraph> lo
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// A loop of edges that cannot be contracted, without chords: the shortest that CGAL's package Surface Mesh Topology finds
-/// from some vertices that are far from each other.
+/// A loop of edges that cannot be contracted, without chords: the shortest that CGAL's package Surface Mesh
+/// Topology finds from some vertices that are far from each other.
 /// \param number_of_vertices  linear time for each
 template <class FaceGraph>
 Edge_path<FaceGraph> short_non_contractible_loop(const FaceGraph& mesh, int number_of_vertices = 16)
@@ -82,9 +82,11 @@ Edge_path<FaceGraph> short_non_contractible_loop(const FaceGraph& mesh, int numb
   const Surface_mesh_topology::Curves_on_surface_topology<FaceGraph> curves(mesh);
   Edge_path<FaceGraph> best;
   for (const auto v : far_vertices(mesh, number_of_vertices)) {
-    const auto path = curves.compute_shortest_non_contractible_cycle_with_base_point(opposite(halfedge(v, mesh), mesh));
+    const auto start = opposite(halfedge(v, mesh), mesh);
+    const auto path = curves.compute_shortest_non_contractible_cycle_with_base_point(start);
+    const auto edge = [&](std::size_t i) { return path.get_ith_real_dart(i); };
     std::size_t first = 0, last = path.length(); // without the way from the vertex to the loop and back
-    while (last - first > 2 && path.get_ith_real_dart(first) == opposite(path.get_ith_real_dart(last - 1), mesh)) {
+    while (last - first > 2 && edge(first) == opposite(edge(last - 1), mesh)) {
       ++first;
       --last;
     }
@@ -92,14 +94,15 @@ Edge_path<FaceGraph> short_non_contractible_loop(const FaceGraph& mesh, int numb
       continue;
     best.clear();
     for (std::size_t i = first; i < last; ++i)
-      best.push_back(path.get_ith_real_dart(i));
+      best.push_back(edge(i));
   }
   return shorten_loop(mesh, best, [](const auto) { return true; });
 }
 
 namespace internal {
 
-// The runs of edges of a loop for which a condition holds, as ranges [first, last) that may go beyond the end of the loop.
+// The runs of edges of a loop for which a condition holds, as ranges [first, last) that may go beyond the end
+// of the loop.
 template <class Loop, class Condition>
 std::vector<std::pair<std::size_t, std::size_t>> runs(const Loop& loop, const Condition& holds)
 {
@@ -119,11 +122,13 @@ std::vector<std::pair<std::size_t, std::size_t>> runs(const Loop& loop, const Co
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// A loop on a mesh of genus 1 that cannot be contracted, as Grimm 2002, section 5.5, finds it: four disks grow from faces
-/// that are far from each other; if two of them meet in exactly two segments, the loop goes through the one from a vertex of
-/// the first segment to one of the second, and back through the other. Of several such loops it is the shortest.
+/// A loop on a mesh of genus 1 that cannot be contracted, as Grimm 2002, section 5.5, finds it: four disks
+/// grow from faces that are far from each other; if two of them meet in exactly two segments, the loop goes
+/// through the one from a vertex of the first segment to one of the second, and back through the other. Of
+/// several such loops it is the shortest.
 ///
-/// Two disks can also meet in two segments round a third one. Such loops, which the paper does not mention, are left out.
+/// Two disks can also meet in two segments round a third one. Such loops, which the paper does not mention,
+/// are left out.
 ///
 /// \param region  a `ReadWritePropertyMap` face -> int: the disks 0 to 3, -1 elsewhere
 /// \return without chords; empty when no two disks meet like this
@@ -149,8 +154,9 @@ Edge_path<FaceGraph> loop_through_two_disks(const FaceGraph& mesh, FaceRegionMap
   for (int i = 0; i < n; ++i) {
     const auto border = region_border_loops(mesh, [&](const auto f) { return get(region, f) == i; }).front();
     for (int j = i + 1; j < n; ++j) {
-      const auto segments
-        = internal::runs(border, [&](const auto h) { return get(region, face(opposite(h, mesh), mesh)) == j; });
+      const auto segments = internal::runs(border, [&](const auto h) {
+        return get(region, face(opposite(h, mesh), mesh)) == j;
+      });
       if (segments.size() != 2)
         continue;
       const auto shared_vertex = [&](int k) { // in the middle of the segment

@@ -23,8 +23,8 @@ namespace Simple_manifolds {
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// The border of a disk that a growing region reaches from the first face of a mesh (Grimm 2002, section 5.3), with the
-/// mesh on its left.
+/// The border of a disk that a growing region reaches from the first face of a mesh (Grimm 2002, section
+/// 5.3), with the mesh on its left.
 /// \param tile  a `ReadWritePropertyMap` face -> int: 0 for the faces that were reached, -1 elsewhere
 /// \throw Partition_error (`DISKS`)  when the mesh is larger than the disk
 template <class FaceGraph, class FaceTileMap>

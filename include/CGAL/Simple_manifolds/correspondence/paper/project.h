@@ -49,9 +49,9 @@ struct Given_border_parameterizer_3 {
   using halfedge_descriptor = typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor;
 
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
-  Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor border,
-                                                         VertexUVMap, VertexIndexMap,
-                                                         VertexParameterizedMap is_parameterized) const
+  Surface_mesh_parameterization::Error_code
+  parameterize(const Triangle_mesh& mesh, halfedge_descriptor border, VertexUVMap, VertexIndexMap,
+               VertexParameterizedMap is_parameterized) const
   {
     for (const halfedge_descriptor h : CGAL::halfedges_around_face(border, mesh))
       put(is_parameterized, target(h, mesh), true);
@@ -84,15 +84,15 @@ std::size_t number_of_flips(const FaceGraph& mesh, VertexUVMap uv)
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// Places the inner vertices of a disk in the plane, each at a weighted mean of its neighbours (*Project* of Grimm
-/// 2002, section 5.2, after Floater 1997): one linear equation per vertex, solved directly.
+/// Places the inner vertices of a disk in the plane, each at a weighted mean of its neighbours (*Project* of
+/// Grimm 2002, section 5.2, after Floater 1997): one linear equation per vertex, solved directly.
 ///
-/// If the border runs round a convex polygon, and no inner edge joins two vertices of one side of it, the result
-/// is one to one but for rounding. In general it need not be: so it is examined.
+/// If the border runs round a convex polygon, and no inner edge joins two vertices of one side of it, the
+/// result is one to one but for rounding. In general it need not be: so it is examined.
 ///
 /// \param disk  the disk, as a part of a triangle mesh that has a vertex point map
-/// \param uv  a `ReadWritePropertyMap` vertex -> `Point_2` of the kernel of the mesh; the places of the border
-///   vertices are read, those of the other vertices written
+/// \param uv  a `ReadWritePropertyMap` vertex -> `Point_2` of the kernel of the mesh; the places of the
+///   border vertices are read, those of the other vertices written
 /// \return `number_of_flips()` of the result
 /// \pre `disk` is a disk
 /// \throw Numeric_error  when the equations cannot be solved
@@ -115,11 +115,11 @@ std::size_t project(Face_filtered_graph<FaceGraph>& disk, VertexUVMap uv,
 
   const auto index = get(boost::vertex_index, disk);
   const auto is_parameterized = get(CGAL::dynamic_vertex_property_t<bool>(), disk);
+  SMP::Barycentric_mapping_parameterizer_3<Disk, Border, Solver> centroid;
+  SMP::Mean_value_coordinates_parameterizer_3<Disk, Border, Solver> mean_value;
   const SMP::Error_code status = weights == Projection_weights::CENTROID
-    ? SMP::Barycentric_mapping_parameterizer_3<Disk, Border, Solver>().parameterize(disk, border, uv, index,
-                                                                                   is_parameterized)
-    : SMP::Mean_value_coordinates_parameterizer_3<Disk, Border, Solver>().parameterize(disk, border, uv, index,
-                                                                                      is_parameterized);
+                               ? centroid.parameterize(disk, border, uv, index, is_parameterized)
+                               : mean_value.parameterize(disk, border, uv, index, is_parameterized);
   if (status != SMP::OK)
     throw Numeric_error(Error_code::numeric_failure, "the projection of a disk with "
                         + std::to_string(num_faces(disk)) + " faces has no solution");

@@ -31,14 +31,15 @@ namespace Simple_manifolds {
 namespace internal {
 
 template <class FaceGraph>
-using Plane_point_of = typename Kernel_traits<
-  typename boost::property_traits<typename boost::property_map<FaceGraph, CGAL::vertex_point_t>::type>::value_type>::Kernel::Point_2;
+using Plane_point_of = typename Kernel_traits<typename boost::property_traits<
+  typename boost::property_map<FaceGraph, CGAL::vertex_point_t>::type>::value_type>::Kernel::Point_2;
 
-// Projects a disk of a mesh: its border vertices stay where they are in the plane but for a factor, its inner vertices
-// move in the domain. Returns the number of faces that are not positive in the plane.
+// Projects a disk of a mesh: its border vertices stay where they are in the plane but for a factor, its inner
+// vertices move in the domain. Returns the number of faces that are not positive in the plane.
 template <class Atlas, class FaceGraph, class DomainPointMap>
-std::size_t project_in_domain(const Domain_plane<Atlas>& plane, const FaceGraph& mesh, Face_filtered_graph<FaceGraph>& disk,
-                              DomainPointMap domain_point, Projection_weights weights, double factor = 1)
+std::size_t project_in_domain(const Domain_plane<Atlas>& plane, const FaceGraph& mesh,
+                              Face_filtered_graph<FaceGraph>& disk, DomainPointMap domain_point,
+                              Projection_weights weights, double factor = 1)
 {
   using Plane_point = Plane_point_of<FaceGraph>;
   const auto uv = get(CGAL::dynamic_vertex_property_t<Plane_point>(), mesh);
@@ -69,9 +70,10 @@ Domain_plane<Atlas> plane_of_tile(const Atlas& atlas, int c)
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// Puts the sides of a partition on the borders of the tiles, the vertices of a side evenly spaced, and projects the disks
-/// between them onto the tiles (Grimm 2002, sections 5.3 to 5.5). This is done in coordinates in which the tiles are
-/// convex polygons and the faces of a map are straight, so the result is one to one, but for rounding.
+/// Puts the sides of a partition on the borders of the tiles, the vertices of a side evenly spaced, and
+/// projects the disks between them onto the tiles (Grimm 2002, sections 5.3 to 5.5). This is done in
+/// coordinates in which the tiles are convex polygons and the faces of a map are straight, so the result is
+/// one to one, but for rounding.
 ///
 /// \param mesh  a triangle mesh
 /// \param partition  with straight sides, see `straighten_sides()`
@@ -79,8 +81,9 @@ Domain_plane<Atlas> plane_of_tile(const Atlas& atlas, int c)
 /// \param domain_point  a `WritablePropertyMap` vertex -> `Atlas::Domain_point`
 /// \throw Partition_error (`PROJECTION`)  if faces are flipped or have no area
 template <class Atlas, class FaceGraph, class FaceTileMap, class DomainPointMap>
-void project_tiles(const Atlas& atlas, const FaceGraph& mesh, const Tile_partition<FaceGraph>& partition, FaceTileMap tile,
-                   DomainPointMap domain_point, Projection_weights weights = Projection_weights::CENTROID)
+void project_tiles(const Atlas& atlas, const FaceGraph& mesh, const Tile_partition<FaceGraph>& partition,
+                   FaceTileMap tile, DomainPointMap domain_point,
+                   Projection_weights weights = Projection_weights::CENTROID)
 {
   for (int c = 0; c < Atlas::number_of_charts; ++c)
     for (int k = 0; k < 4; ++k) {
@@ -90,24 +93,25 @@ void project_tiles(const Atlas& atlas, const FaceGraph& mesh, const Tile_partiti
     }
   for (int c = 0; c < Atlas::number_of_charts; ++c) {
     Face_filtered_graph<FaceGraph> disk(mesh, c, tile);
-    const std::size_t flips = internal::project_in_domain(internal::plane_of_tile(atlas, c), mesh, disk, domain_point,
-                                                          weights);
+    const std::size_t flips
+      = internal::project_in_domain(internal::plane_of_tile(atlas, c), mesh, disk, domain_point, weights);
     if (flips > 0)
-      throw Partition_error(Partition_step::PROJECTION, std::to_string(flips) + " of the " + std::to_string(num_faces(disk))
-                            + " faces of tile " + std::to_string(c) + " are flipped or have no area");
+      throw Partition_error(Partition_step::PROJECTION, std::to_string(flips) + " of the "
+                            + std::to_string(num_faces(disk)) + " faces of tile " + std::to_string(c)
+                            + " are flipped or have no area");
   }
 }
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// *Reproject* of Grimm 2002, section 5.2: grows the largest disk of faces that lie
-/// in the tile and half of its breadth round it, moves its border away from
-/// the centre of the chart or towards it by a factor, and projects the inner vertices anew. A chart with too many faces
-/// loses some when `factor` is larger than 1. Faces outside of the disk may be flipped by that.
+/// *Reproject* of Grimm 2002, section 5.2: grows the largest disk of faces that lie in the tile and half of
+/// its breadth round it, moves its border away from the centre of the chart or towards it by a factor, and
+/// projects the inner vertices anew. A chart with too many faces loses some when `factor` is larger than 1.
+/// Faces outside of the disk may be flipped by that.
 /// \return whether there is such a disk
 template <class Atlas, class FaceGraph, class DomainPointMap>
-bool reproject(const Atlas& atlas, const FaceGraph& mesh, DomainPointMap domain_point, int chart, double factor,
-               Projection_weights weights = Projection_weights::CENTROID)
+bool reproject(const Atlas& atlas, const FaceGraph& mesh, DomainPointMap domain_point, int chart,
+               double factor, Projection_weights weights = Projection_weights::CENTROID)
 {
   using face_descriptor = typename boost::graph_traits<FaceGraph>::face_descriptor;
   const internal::Domain_plane<Atlas> plane = internal::plane_of_tile(atlas, chart);

@@ -31,10 +31,12 @@ namespace Simple_manifolds {
 ///
 /// \param mesh  a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param barriers  paths that the fill does not cross
-/// \param region  a `ReadWritePropertyMap` face -> int: the regions are 0, 1, ... in the order of their first faces
+/// \param region  a `ReadWritePropertyMap` face -> int: the regions are 0, 1, ... in the order of their first
+///   faces
 /// \return the number of regions
 template <class FaceGraph, class FaceRegionMap>
-std::size_t flood_fill(const FaceGraph& mesh, const std::vector<Edge_path<FaceGraph>>& barriers, FaceRegionMap region)
+std::size_t flood_fill(const FaceGraph& mesh, const std::vector<Edge_path<FaceGraph>>& barriers,
+                       FaceRegionMap region)
 {
   const auto is_barrier = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
   for (const auto e : edges(mesh))
@@ -107,7 +109,10 @@ struct Region_topology {
   long euler_characteristic = 0; ///< V - E + F
   std::size_t border_loops = 0;
 
-  bool is_disk() const { return is_surface && components == 1 && euler_characteristic == 1 && border_loops == 1; }
+  bool is_disk() const
+  {
+    return is_surface && components == 1 && euler_characteristic == 1 && border_loops == 1;
+  }
   bool is_annulus() const
   {
     return is_surface && components == 1 && euler_characteristic == 0 && border_loops == 2;
@@ -125,8 +130,8 @@ Region_topology region_topology(const FaceGraph& mesh, FaceRegionMap region, int
   if (num_faces(graph) == 0)
     return t;
   t.is_surface = graph.is_selection_valid();
-  t.euler_characteristic = static_cast<long>(num_vertices(graph)) - static_cast<long>(num_halfedges(graph) / 2)
-                         + static_cast<long>(num_faces(graph));
+  t.euler_characteristic = static_cast<long>(num_vertices(graph) + num_faces(graph))
+                         - static_cast<long>(num_halfedges(graph) / 2);
   const auto component = get(CGAL::dynamic_face_property_t<int>(), graph);
   t.components = Polygon_mesh_processing::connected_components(graph, component);
   t.border_loops = region_border_loops(mesh, [&](const auto f) { return get(region, f) == id; }).size();

@@ -91,8 +91,8 @@ struct Path_visitor : boost::default_bfs_visitor {
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// A path with the fewest edges from a vertex to the nearest vertex of a kind (Grimm 2002, section 5.2). It has
-/// no chord: an edge between two of its vertices is part of it, or not accessible.
+/// A path with the fewest edges from a vertex to the nearest vertex of a kind (Grimm 2002, section 5.2). It
+/// has no chord: an edge between two of its vertices is part of it, or not accessible.
 ///
 /// \param graph  a mesh, or a `Face_filtered_graph` of it
 /// \param is_target  vertex -> bool

@@ -40,13 +40,13 @@ source_vertices(const FaceGraph& mesh, const Edge_path<FaceGraph>& path)
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// Cuts a mesh of genus 0 into the six tiles of the sphere (Grimm 2002, section 5.4): two caps grow alternately, ring by
-/// ring, from seeds that are far from each other, to a sixth of the faces each; four evenly spaced accessible vertices
-/// of the one are joined to four of the other by paths that do not cross.
+/// Cuts a mesh of genus 0 into the six tiles of the sphere (Grimm 2002, section 5.4): two caps grow
+/// alternately, ring by ring, from seeds that are far from each other, to a sixth of the faces each; four
+/// evenly spaced accessible vertices of the one are joined to four of the other by paths that do not cross.
 ///
 /// \param mesh  a model of `FaceListGraph` and `HalfedgeListGraph`: a closed triangle mesh of genus 0
-/// \param tile  a `ReadWritePropertyMap` face -> int, the tiles of the faces. When the function throws, it has what
-///   was found so far: the caps 0 and 1, -1 elsewhere, or regions
+/// \param tile  a `ReadWritePropertyMap` face -> int, the tiles of the faces. When the function throws, it
+///   has what was found so far: the caps 0 and 1, -1 elsewhere, or regions
 /// \throw Partition_error  when a step fails
 template <class FaceGraph, class FaceTileMap>
 Tile_partition<FaceGraph> sphere_partition(const FaceGraph& mesh, FaceTileMap tile)

@@ -27,20 +27,24 @@ namespace Simple_manifolds {
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// Grows annuli from the left side of a loop and from the right side of another one until they meet, and returns the loop
-/// where they do: the outer border of the first one, without chords, in the direction of `left_of`. To be parallel
-/// to it is to be disjoint from it and not contractible.
+/// Grows annuli from the left side of a loop and from the right side of another one until they meet, and
+/// returns the loop where they do: the outer border of the first one, without chords, in the direction of
+/// `left_of`. To be parallel to it is to be disjoint from it and not contractible.
 ///
-/// \param left_of, right_of  loops that cannot be contracted, in the same direction: the same loop, or disjoint ones
+/// \param left_of, right_of  loops that cannot be contracted, in the same direction: the same loop, or
+///   disjoint ones
 /// \param left_speed, right_speed  rings per round
-/// \param region  a `ReadWritePropertyMap` face -> int; -1 for the faces between the loops, where the annuli 0 and 1 grow
+/// \param region  a `ReadWritePropertyMap` face -> int; -1 for the faces between the loops, where the annuli
+///   0 and 1 grow
 /// \throw Partition_error (`LOOPS`)  when the annuli leave no room for such a loop
 template <class FaceGraph, class FaceRegionMap>
-Edge_path<FaceGraph> parallel_loop(const FaceGraph& mesh, const Edge_path<FaceGraph>& left_of, int left_speed,
-                                   const Edge_path<FaceGraph>& right_of, int right_speed, FaceRegionMap region)
+Edge_path<FaceGraph> parallel_loop(const FaceGraph& mesh, const Edge_path<FaceGraph>& left_of,
+                                   int left_speed, const Edge_path<FaceGraph>& right_of, int right_speed,
+                                   FaceRegionMap region)
 {
   using Region = Growing_region<FaceGraph, FaceRegionMap>;
-  std::vector<Region> annuli{Region(mesh, region, 0, left_of), Region(mesh, region, 1, reversed(right_of, mesh))};
+  std::vector<Region> annuli{Region(mesh, region, 0, left_of),
+                             Region(mesh, region, 1, reversed(right_of, mesh))};
   grow_regions(annuli, {left_speed, right_speed});
 
   const auto is_on_loop = get(CGAL::dynamic_vertex_property_t<bool>(), mesh);
@@ -49,30 +53,35 @@ Edge_path<FaceGraph> parallel_loop(const FaceGraph& mesh, const Edge_path<FaceGr
   for (const auto* loop : {&left_of, &right_of})
     for (const auto h : *loop)
       put(is_on_loop, target(h, mesh), true);
-  const auto is_free = [&](const auto h) { return !get(is_on_loop, source(h, mesh)) && !get(is_on_loop, target(h, mesh)); };
+  const auto is_free = [&](const auto h) {
+    return !get(is_on_loop, source(h, mesh)) && !get(is_on_loop, target(h, mesh));
+  };
   for (const auto& border : region_border_loops(mesh, [&](const auto f) { return get(region, f) == 0; })) {
     if (!std::all_of(border.begin(), border.end(), is_free) || !is_non_contractible(mesh, border))
       continue;
     const auto loop = shorten_loop(mesh, border, [&](const auto e) { return is_free(halfedge(e, mesh)); });
     return reversed(loop, mesh); // the border has the annulus on its left
   }
-  throw Partition_error(Partition_step::LOOPS, "two annuli with " + std::to_string(annuli[0].number_of_faces()) + " and "
-                        + std::to_string(annuli[1].number_of_faces()) + " faces leave no room for a parallel loop");
+  throw Partition_error(Partition_step::LOOPS, "two annuli with "
+                        + std::to_string(annuli[0].number_of_faces()) + " and "
+                        + std::to_string(annuli[1].number_of_faces())
+                        + " faces leave no room for a parallel loop");
 }
 
 /// \ingroup PkgSimpleManifoldsPaper
 ///
-/// Cuts a mesh of genus 1 into the nine tiles of the torus (Grimm 2002, section 5.5): a loop that cannot be contracted; two
-/// loops parallel to it, where annuli meet that grow at single and double speed; three loops the other way, of three paths
-/// each that do not cross.
+/// Cuts a mesh of genus 1 into the nine tiles of the torus (Grimm 2002, section 5.5): a loop that cannot be
+/// contracted; two loops parallel to it, where annuli meet that grow at single and double speed; three loops
+/// the other way, of three paths each that do not cross.
 ///
 /// \param mesh  a model of `FaceListGraph` and `HalfedgeListGraph`: a closed triangle mesh of genus 1
 /// \param first_loop  without chords, see `loop_through_two_disks()` and `short_non_contractible_loop()`
-/// \param tile  a `ReadWritePropertyMap` face -> int, the tiles of the faces. When the function throws, it has what
-///   was found so far: annuli 0 and 1, -1 or 2 elsewhere, or regions
+/// \param tile  a `ReadWritePropertyMap` face -> int, the tiles of the faces. When the function throws, it
+///   has what was found so far: annuli 0 and 1, -1 or 2 elsewhere, or regions
 /// \throw Partition_error  when a step fails
 template <class FaceGraph, class FaceTileMap>
-Tile_partition<FaceGraph> torus_partition(const FaceGraph& mesh, const Edge_path<FaceGraph>& first_loop, FaceTileMap tile)
+Tile_partition<FaceGraph> torus_partition(const FaceGraph& mesh, const Edge_path<FaceGraph>& first_loop,
+                                          FaceTileMap tile)
 {
   using vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
   constexpr std::size_t n = 3;
@@ -100,10 +109,12 @@ Tile_partition<FaceGraph> torus_partition(const FaceGraph& mesh, const Edge_path
   const auto is_free = [&](const vertex_descriptor v) { return !get(is_on_loop, v); };
   // Accessible from the loops on both sides.
   const auto accessible = [&](std::size_t i) {
-    return accessible_vertices(mesh, accessible_vertices(mesh, all[i], all[(i + 1) % n], is_free), all[(i + 2) % n], is_free);
+    const auto from_next = accessible_vertices(mesh, all[i], all[(i + 1) % n], is_free);
+    return accessible_vertices(mesh, from_next, all[(i + 2) % n], is_free);
   };
 
-  // The loops run up the torus, the first at u = 1/6, each next one on the left of the one before: at smaller u.
+  // The loops run up the torus, the first at u = 1/6, each next one on the left of the one before: at smaller
+  // u.
   const Torus_atlas atlas;
   Path_network<FaceGraph> network;
   std::vector<Torus_atlas::Domain_point> places;
@@ -118,7 +129,8 @@ Tile_partition<FaceGraph> torus_partition(const FaceGraph& mesh, const Edge_path
     const auto paths = disjoint_paths(mesh, corners[i], corners[(i + 1) % n], is_free);
     for (std::size_t j = 0; j < n; ++j) {
       const std::size_t next = (j + 1) % n;
-      network.paths.push_back({n * i + j, n * i + next, part_of_loop(mesh, loop[i], corners[i][j], corners[i][next])});
+      network.paths.push_back(
+        {n * i + j, n * i + next, part_of_loop(mesh, loop[i], corners[i][j], corners[i][next])});
       network.paths.push_back({n * i + j, n * ((i + 1) % n) + j, paths[j]});
     }
   }

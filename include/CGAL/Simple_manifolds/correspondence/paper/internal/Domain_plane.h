@@ -29,9 +29,9 @@ inline double on_area_grid(double x)
   return std::round(x * 4503599627370496.) / 4503599627370496.;
 }
 
-// A part of a domain in the plane, round an origin, where the faces of a map are straight: so what is one to one in
-// the plane is one to one in the domain. On the sphere this is the central projection to the tangent plane; the
-// charts bend great circles.
+// A part of a domain in the plane, round an origin, where the faces of a map are straight: so what is one to
+// one in the plane is one to one in the domain. On the sphere this is the central projection to the tangent
+// plane; the charts bend great circles.
 template <class Atlas>
 class Domain_plane { // square and torus: the nearest copies
 public:
@@ -81,8 +81,8 @@ public:
   bool contains(const Point& p) const { return origin_.dot(p) > 0.05; }
   Eigen::Vector2d coordinates(const Point& p) const { return frame_.transpose() * p / origin_.dot(p); }
   Point point(const Eigen::Vector2d& x) const { return (origin_ + frame_ * x).normalized(); }
-  // The tile is [-1,1]^2, the chart reaches to infinity; with half of the tile's breadth beyond it the tiles are
-  // equalized best.
+  // The tile is [-1,1]^2, the chart reaches to infinity; with half of the tile's breadth beyond it the tiles
+  // are equalized best.
   static constexpr double reach = 1.5;
 
   // In the direction of the mean of the unit vectors.
@@ -101,8 +101,8 @@ private:
 
 // Whether a face is what a certificate wants.
 template <class Atlas>
-bool is_face_positive(const Atlas& atlas, const typename Atlas::Domain_point& a, const typename Atlas::Domain_point& b,
-                      const typename Atlas::Domain_point& c)
+bool is_face_positive(const Atlas& atlas, const typename Atlas::Domain_point& a,
+                      const typename Atlas::Domain_point& b, const typename Atlas::Domain_point& c)
 {
   if constexpr (Atlas::genus == 1)
     if (!is_liftable(a, b, c))

@@ -32,7 +32,8 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-// A vertex that an edge collapse took away: a fan from the vertex `kept`, one of its neighbours, filled the hole.
+// A vertex that an edge collapse took away: a fan from the vertex `kept`, one of its neighbours, filled the
+// hole.
 struct Removed_vertex {
   int vertex, kept;
   std::vector<int> ring; // counterclockwise
@@ -71,9 +72,11 @@ struct Collapse_recorder : Surface_mesh_simplification::Edge_collapse_visitor_ba
   std::vector<int> ring[2];
 };
 
-// Collapses edges of a closed mesh, short ones first, until `number_of_vertices` are left or no edge can go. The
-// mesh is compact afterwards. Returns what was removed, in order, and for each vertex that is left its old index.
-inline std::pair<std::vector<Removed_vertex>, std::vector<int>> simplify(Working_mesh& mesh, int number_of_vertices)
+// Collapses edges of a closed mesh, short ones first, until `number_of_vertices` are left or no edge can go.
+// The mesh is compact afterwards. Returns what was removed, in order, and for each vertex that is left its
+// old index.
+inline std::pair<std::vector<Removed_vertex>, std::vector<int>>
+simplify(Working_mesh& mesh, int number_of_vertices)
 {
   namespace SMS = Surface_mesh_simplification;
   using vertex_descriptor = Working_mesh::Vertex_index;
@@ -93,9 +96,9 @@ inline std::pair<std::vector<Removed_vertex>, std::vector<int>> simplify(Working
   return {std::move(removed), std::move(old_index)};
 }
 
-// Puts removed vertices back into a map without flips, the last one first: into the kernels of their stars, which are
-// not empty, since the fan from the kept vertex tiles them with positive faces.
-// Throws Numeric_error when double precision does not suffice.
+// Puts removed vertices back into a map without flips, the last one first: into the kernels of their stars,
+// which are not empty, since the fan from the kept vertex tiles them with positive faces. Throws
+// Numeric_error when double precision does not suffice.
 template <class Atlas>
 void put_back(const Atlas& atlas, const std::vector<Removed_vertex>& removed,
               std::vector<typename Atlas::Domain_point>& domain_points)
@@ -125,7 +128,8 @@ void put_back(const Atlas& atlas, const std::vector<Removed_vertex>& removed,
     }
     std::optional<Point> place;
     if (!kernel.is_empty()) {
-      // The kept vertex is the origin, and on the border of the kernel: the segment to any of its points is inside.
+      // The kept vertex is the origin, and on the border of the kernel: the segment to any of its points is
+      // inside.
       Eigen::Vector2d inside = kernel.centroid();
       for (int i = 0; i < 40 && !place; ++i, inside /= 2)
         if (const Point p = plane.point(inside); is_star_positive(p))

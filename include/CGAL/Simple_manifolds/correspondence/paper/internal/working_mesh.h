@@ -27,7 +27,8 @@ namespace internal {
 // The mesh that a partition is made of: the input in triangles, subdivided or simplified.
 using Working_mesh = Surface_mesh<Simple_cartesian<double>::Point_3>;
 
-inline Working_mesh working_mesh(const std::vector<Eigen::Vector3d>& points, const std::vector<Triangle>& triangles)
+inline Working_mesh working_mesh(const std::vector<Eigen::Vector3d>& points,
+                                 const std::vector<Triangle>& triangles)
 {
   using vertex_descriptor = Working_mesh::Vertex_index;
   Working_mesh mesh;
