@@ -323,3 +323,91 @@ TEST_CASE("A point has the same result to the last bit in any range and for any 
   check(hierarchical_surface<SM::Torus_atlas>(), random_domain_points<SM::Torus_atlas>(5000));
   check(rough_surface<SM::Torus_atlas>(bumpy_torus), random_domain_points<SM::Torus_atlas>(5000));
 }
+
+namespace {
+
+// The jumps of position, first and second derivatives along a path at its parameter 0, as fractions of the
+// size of each: extrapolated from both sides with errors of third order, since the derivatives may have kinks
+// there. `path(t)` is a point of one chart.
+template <class Surface, class Path>
+Vector3d jumps(const Surface& surface, const Path& path, double h)
+{
+  std::vector<SM::Chart_point> points;
+  for(int k = 1; k <= 3; ++k) {
+    points.push_back(path(k * h));
+    points.push_back(path(-k * h));
+  }
+  std::vector<SM::Jet> j;
+  surface.jets(points, std::back_inserter(j));
+  const auto jump = [&](const auto& part) {
+    const auto difference = [&](int k) -> Vector3d { return part(j[2 * k]) - part(j[2 * k + 1]); };
+    return (3 * difference(0) - 3 * difference(1) + difference(2)).norm();
+  };
+  const SM::Jet& e = j[0];
+  return {jump([](const SM::Jet& x) { return x.value; }) / e.value.norm(),
+          (jump([](const SM::Jet& x) { return x.u; }) + jump([](const SM::Jet& x) { return x.v; }))
+            / (e.u.norm() + e.v.norm()),
+          (jump([](const SM::Jet& x) { return x.uu; }) + jump([](const SM::Jet& x) { return x.uv; })
+           + jump([](const SM::Jet& x) { return x.vv; })) / (e.uu.norm() + e.uv.norm() + e.vv.norm())};
+}
+
+template <class Bump>
+Vector3d jumps_on_sphere()
+{
+  const auto surface = hierarchical_surface<SM::Sphere_atlas, Bump>();
+  const SM::Sphere_atlas atlas;
+  Vector3d worst(0, 0, 0);
+  for(int k = 0; k < 40; ++k) {
+    // the charts 0 and 1 end at y = 0 and at |z| = s: seen from chart 2 or 3, resp. 4 or 5
+    const double s = std::sin(.375 * 3.14159265358979324), a = .35 + .02 * k;
+    const auto across_y = [&](double t) {
+      const int c = 2 + k % 2;
+      const Vector3d p = Vector3d((c == 2 ? 1 : -1) * std::cos(a), t, std::sin(a)).normalized();
+      return SM::Chart_point{c, atlas.coordinates(c, p)};
+    };
+    const auto across_z = [&](double t) {
+      const int c = 4 + k % 2;
+      const double z = s + t, r = std::sqrt(1 - z * z);
+      const Vector3d p(r * std::cos(8 * a), r * std::sin(8 * a), c == 4 ? z : -z);
+      return SM::Chart_point{c, atlas.coordinates(c, p)};
+    };
+    worst = worst.cwiseMax(jumps(surface, across_y, 1e-6)).cwiseMax(jumps(surface, across_z, 1e-6));
+  }
+  return worst;
+}
+
+template <class Bump>
+Vector3d jumps_on_torus()
+{
+  const auto surface = hierarchical_surface<SM::Torus_atlas, Bump>();
+  Vector3d worst(0, 0, 0);
+  for(int c = 0; c < 9; ++c)
+    for(int k = 0; k < 10; ++k) // the middle of a chart is the border of two others
+      for(const bool is_u : {false, true}) {
+        const double v = .05 + .09 * k;
+        const auto across = [&](double t) {
+          return SM::Chart_point{c, is_u ? Vector2d(.5 + t, v + .3 * t) : Vector2d(v - .2 * t, .5 + t)};
+        };
+        worst = worst.cwiseMax(jumps(surface, across, 1e-6));
+      }
+  return worst;
+}
+
+} // namespace
+
+TEST_CASE("At the borders of charts position and two derivatives jump by rounding errors only")
+{
+  using Smooth = SM::Smoothstep_bump<2>;
+  for(const Vector3d& j : {jumps_on_sphere<Smooth>(), jumps_on_torus<Smooth>()}) {
+    CAPTURE(j.transpose());
+    CHECK(j[0] < 1e-13);
+    CHECK(j[1] < 1e-11);
+    CHECK(j[2] < 1e-9);
+  }
+  // the second derivatives of a surface with a bump of smoothness 1 do jump, and are seen
+  using Rough = SM::Smoothstep_bump<1>;
+  for(const Vector3d& j : {jumps_on_sphere<Rough>(), jumps_on_torus<Rough>()}) {
+    CHECK(j[1] < 1e-11);
+    CHECK(j[2] > 1e-3);
+  }
+}

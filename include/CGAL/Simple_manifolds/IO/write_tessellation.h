@@ -98,7 +98,7 @@ void write_tessellation(const std::string& file, const Surface& surface, const M
   std::vector<typename Map::Location> locations;
   map.to_mesh(grid.domain_points(), std::back_inserter(locations));
   std::vector<Eigen::Vector3d> points;
-  surface.points(grid.chart_points(), std::back_inserter(points));
+  surface.points(grid.domain_points(), std::back_inserter(points));
   std::vector<double> errors;
   for (std::size_t i = 0; i < points.size(); ++i)
     errors.push_back((points[i] - map.position(locations[i])).norm() / map.diagonal());

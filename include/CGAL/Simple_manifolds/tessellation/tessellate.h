@@ -113,13 +113,13 @@ void tessellate(const Surface& surface, MutableFaceGraph& out,
   if constexpr (internal::is_given<decltype(normals)>) {
     std::vector<Jet> jets;
     jets.reserve(grid.number_of_vertices());
-    surface.template jets<1>(grid.chart_points(), std::back_inserter(jets));
+    surface.template jets<1>(grid.domain_points(), std::back_inserter(jets));
     for (const Jet& e : jets) {
       position.push_back(e.value);
       normal.push_back(Simple_manifolds::normal(e));
     }
   } else {
-    surface.points(grid.chart_points(), std::back_inserter(position));
+    surface.points(grid.domain_points(), std::back_inserter(position));
   }
 
   auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),

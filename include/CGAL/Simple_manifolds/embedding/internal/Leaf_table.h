@@ -72,7 +72,7 @@ public:
   // The coordinate in the leaf, in [0,1].
   double in_leaf(double x, double scale) const
   {
-    return scale * x - int((std::min)(scale * x, scale * base_ - 0.5)); // the end of the square is in the last
+    return scale * x - int((std::min)(scale * x, scale * base_ - 0.5)); // the last has the end of the square
   }
 
   Place find_place(int i, int j) const

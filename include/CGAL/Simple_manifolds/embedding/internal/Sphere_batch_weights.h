@@ -89,7 +89,7 @@ private:
       const double side = y[k] < 0 ? -1 : 1;
       const double u = upper_atan2(side * y[k] + 1e-300, side * x[k]) * (1 / pi); // not 0 / 0
       const double v = (upper_atan2(r[k], -z[k]) - pi / 8) * (1 / latitude_range);
-      const double inside = (u > 0) & (u < 1) & (v > 0) & (v < 1) ? 1 : 0;
+      const double inside = ((u > 0) & (u < 1) & (v > 0) & (v < 1)) ? 1 : 0;
       slot.u[k] = u;
       slot.v[k] = v;
       inside_[k] = inside;

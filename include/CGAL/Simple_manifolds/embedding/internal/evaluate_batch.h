@@ -75,30 +75,34 @@ void add_blended(const Batch_slot<Order, IsTransported>& slot, int k, const Pack
   }
 }
 
+// The first three coordinates.
+template <int Width>
+Eigen::Vector3d vector(const std::array<Pack_jet<Width>, 4 / Width>& e, Pack<Width> Pack_jet<Width>::*member)
+{
+  constexpr int z = 2 / Width;
+  return {(e[0].*member)[0], (e[0].*member)[1], (e[z].*member)[2 % Width]};
+}
+
 template <int Order, int Width>
 void write_result(const std::array<Pack_jet<Width>, 4 / Width>& e, Eigen::Vector3d& out)
 {
-  Quad q;
-  for(int i = 0; i < 4 / Width; ++i)
-    store<Width>(e[i].value, q.x + i * Width);
-  out = q.vector();
+  out = vector<Width>(e, &Pack_jet<Width>::value);
 }
 
 template <int Order, int Width>
 void write_result(const std::array<Pack_jet<Width>, 4 / Width>& e, Jet& out)
 {
-  Quad q[6];
-  for(int i = 0; i < 4 / Width; ++i) {
-    store<Width>(e[i].value, q[0].x + i * Width);
-    store<Width>(e[i].u, q[1].x + i * Width);
-    store<Width>(e[i].v, q[2].x + i * Width);
-    if constexpr(Order >= 2) {
-      store<Width>(e[i].uu, q[3].x + i * Width);
-      store<Width>(e[i].uv, q[4].x + i * Width);
-      store<Width>(e[i].vv, q[5].x + i * Width);
-    }
+  using E = Pack_jet<Width>;
+  out.value = vector<Width>(e, &E::value);
+  out.u = vector<Width>(e, &E::u);
+  out.v = vector<Width>(e, &E::v);
+  if constexpr(Order >= 2) {
+    out.uu = vector<Width>(e, &E::uu);
+    out.uv = vector<Width>(e, &E::uv);
+    out.vv = vector<Width>(e, &E::vv);
+  } else {
+    out.uu = out.uv = out.vv = Eigen::Vector3d::Zero();
   }
-  out = {q[0].vector(), q[1].vector(), q[2].vector(), q[3].vector(), q[4].vector(), q[5].vector()};
 }
 
 // The functions of the leaves of a row of points, with their derivatives by the coordinates of the chart.
