@@ -89,8 +89,8 @@ closest_point(const Surface& surface, const Eigen::Vector3d& x, const typename S
 /// best point that they lead to.
 ///
 /// What is guaranteed: no point of a cell is closer to x than the result by more than a billionth of the
-/// diagonal of the surface, if that cell's slack is right and Newton steps find the minimum in the cell, which
-/// is nearly flat. The slack is twice the largest deviation at 25 samples of the cell, so it is an estimate,
+/// diagonal of the surface, if that cell's slack is right and Newton steps find the minimum in it; the cell
+/// is nearly flat. The slack is twice the largest deviation at 25 of its points, so it is an estimate,
 /// for embeddings of any kind: it can fail for details smaller than 1/64 of a tile that leave no trace at the
 /// samples.
 ///
