@@ -1,6 +1,8 @@
 // Times, memory and distortion of maps over size, domain, threads, effort and energy, as CSV; on disks also
 // CGAL's own parameterizers in the same run. See README.md in this folder.
 
+#include "Memory_clock.h"
+
 #include <CGAL/Polygon_mesh_processing/measure.h> // longest_border()
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Simple_cartesian.h>
@@ -22,10 +24,6 @@
 #include <tbb/global_control.h>
 #endif
 
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
-
 #include <algorithm>
 #include <chrono>
 #include <ctime>
@@ -33,7 +31,6 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <random>
 #include <stdexcept>
@@ -70,32 +67,6 @@ struct Phase_clock : SM::Default_visitor {
 private:
   std::string phase_;
   double start_ = 0;
-};
-
-/// How much the memory of the process grows, at its peak; only Linux tells.
-class Memory_clock {
-public:
-  Memory_clock()
-  {
-#if defined(__GLIBC__)
-    malloc_trim(0);
-#endif
-    std::ofstream("/proc/self/clear_refs") << 5; // the peak begins anew
-    start_ = kilobytes("VmRSS:");
-  }
-  double bytes() const { return 1024 * (kilobytes("VmHWM:") - start_); }
-
-private:
-  static double kilobytes(const std::string& key)
-  {
-    std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);)
-      if (line.compare(0, key.size(), key) == 0)
-        return std::stod(line.substr(key.size()));
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-
-  double start_;
 };
 
 struct Row {
