@@ -1,5 +1,5 @@
-// The paper's method beside the default, on every mesh of a folder that has a canonical surface, as CSV: success or
-// the step that fails, time, the paper's four criteria, distortion. See README.md in this folder.
+// The paper's method beside the default, on every mesh of a folder that has a canonical surface, as CSV:
+// success or the step that fails, time, the paper's four criteria, distortion. See README.md in this folder.
 
 #include <CGAL/Simple_manifolds/IO/read_mesh.h>
 #include <CGAL/Simple_manifolds/correspondence/criteria.h>
@@ -27,7 +27,8 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 // Runs map() and prints its row.
 template <class Make_map, class Details>
-void row(const std::string& name, const Mesh& mesh, const char* method, const Make_map& make_map, const Details& details)
+void row(const std::string& name, const Mesh& mesh, const char* method, const Make_map& make_map,
+         const Details& details)
 {
   const auto start = std::chrono::steady_clock::now();
   std::cout << name << ',' << num_faces(mesh) << ',' << method << ',';
@@ -37,10 +38,11 @@ void row(const std::string& name, const Mesh& mesh, const char* method, const Ma
     std::visit([&](const auto& map) {
       const SM::Criteria_report c = SM::criteria_report(map);
       const SM::Distortion d = SM::distortion(map);
-      std::cout << "ok," << std::decay_t<decltype(map)>::Atlas::name << ',' << seconds << ',' << c.largest_deviation
-                << ',' << c.charts.stars_without_chart << ',' << c.vertices_outside << ',' << c.convex_share() << ','
-                << d.angle_mean << ',' << d.area_mean_abs_log10 << ',' << d.symmetric_dirichlet << ','
-                << d.smallest_domain_area;
+      std::cout << "ok," << std::decay_t<decltype(map)>::Atlas::name << ',' << seconds;
+      for (const double x : {c.largest_deviation, double(c.charts.stars_without_chart),
+                             double(c.vertices_outside), c.convex_share(), d.angle_mean, d.area_mean_abs_log10, d.symmetric_dirichlet,
+                             d.smallest_domain_area})
+        std::cout << ',' << x;
     }, any);
   } catch (const SM::Partition_error& e) {
     std::cout << SM::Partition_error::name(e.step()) << ",,,,,,,,,,";
@@ -58,13 +60,14 @@ int main(int argc, char** argv)
   const std::string only = argc > 2 ? argv[2] : ""; // a part of the file names
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ".off" && entry.path().filename().string().find(only) != std::string::npos)
+    if (entry.path().extension() == ".off"
+        && entry.path().filename().string().find(only) != std::string::npos)
       files.push_back(entry.path());
   std::sort(files.begin(), files.end());
 
-  std::cout << "mesh,faces,method,result,atlas,seconds,largest_deviation,stars_without_chart,vertices_outside,"
-               "convex_share,angle,area,symmetric_dirichlet,smallest_domain_area,subdivisions,removed_vertices,rounds,"
-               "stopped_by_rule\n";
+  std::cout << "mesh,faces,method,result,atlas,seconds,largest_deviation,stars_without_chart,"
+               "vertices_outside,convex_share,angle,area,symmetric_dirichlet,smallest_domain_area,"
+               "subdivisions,removed_vertices,rounds,stopped_by_rule\n";
   for (const auto& file : files) {
     Mesh mesh;
     SM::Mesh_topology topology;
