@@ -9,6 +9,7 @@
 /// \cgalRefines{CopyConstructible}
 ///
 /// \cgalHasModelsBegin
+/// \cgalHasModels{CGAL::Simple_manifolds::Hierarchical_embedding}
 /// \cgalHasModels{CGAL::Simple_manifolds::Patch_stack_embedding}
 /// \cgalHasModels{CGAL::Simple_manifolds::Map_embedding<Map>}
 /// \cgalHasModelsEnd

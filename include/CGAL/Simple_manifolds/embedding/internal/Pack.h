@@ -73,8 +73,10 @@ constexpr int default_pack_width = 2;
 // Calls f(std::integral_constant<int, width>()) with the width that suits this processor. Programs for all
 // x86 processors know packs of two; where the processor has AVX2 the function runs in a version that GCC
 // compiles for it, with all that it calls, at up to twice the speed. (Clang's `flatten` is not that deep.)
-// Fused multiply-add is not asked for, so that the results are the same to the last bit.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__AVX2__)
+// Fused multiply-add is not asked for, so that the results are the same to the last bit. With sanitizers that
+// much inlining would take minutes to compile.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__AVX2__) \
+  && defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
 
 template <class Function>
 __attribute__((target("avx2"), flatten)) void call_with_avx2(const Function& f)
