@@ -23,14 +23,14 @@ int main(int argc, char** argv)
     const auto map = SM::map_to_sphere(mesh);
     const auto surface = SM::fit_surface(map, SM::parameters::max_error(1e-2));
 
-    const SM::Integral area = SM::area<Tag>(surface);
-    const SM::Integral volume = SM::volume<Tag>(surface, SM::parameters::relative_error(1e-8));
+    const auto np = SM::parameters::relative_error(1e-5); // more digits cost more time
+    const SM::Integral area = SM::area<Tag>(surface, np), volume = SM::volume<Tag>(surface, np);
     std::cout << "area " << area.value << " +- " << area.error << ", volume " << volume.value << " +- "
               << volume.error << '\n';
 
     // Any function of the jet can be integrated: here z^2 n_z / 2, whose flux is the first moment of z.
     const SM::Integral moment = SM::integrate<Tag, 1>(
-      surface, [](const SM::Jet& e) { return e.value.z() * e.value.z() / 2 * SM::normal(e).z(); });
+      surface, [](const SM::Jet& e) { return e.value.z() * e.value.z() / 2 * SM::normal(e).z(); }, np);
     std::cout << "the centre of mass has z = " << moment.value / volume.value << '\n';
 
     const SM::Integral curvature = SM::integrate<Tag>(surface, SM::gaussian_curvature,
