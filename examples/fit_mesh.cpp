@@ -21,7 +21,10 @@ namespace {
 struct Fit_request {
   double rms, maximum;
   int degree, smoothness;
-  long samples;
+  long samples, controls;
+  double fairness;
+  SM::Marking marking;
+  SM::Joint_solve joint;
 };
 
 Fit_request fit_request(const Command_line& options)
@@ -36,6 +39,14 @@ Fit_request fit_request(const Command_line& options)
   options.require(r.maximum > 0 && std::isfinite(r.maximum), "max-tolerance", "a positive number");
   options.require(r.degree >= 2 && r.degree <= 5, "degree", "from 2 to 5");
   options.require(r.smoothness >= 1 && r.smoothness <= 3, "smoothness", "from 1 to 3");
+  r.controls = options.get<long>("max-controls");
+  r.fairness = options.get<double>("fairness");
+  const std::string marking = options.get<std::string>("marking");
+  r.marking = marking == "vertices" ? SM::Marking::VERTICES : SM::Marking::ALL_POINTS;
+  r.joint = options.get<bool>("economy") ? SM::Joint_solve::ALWAYS : SM::Joint_solve::AT_END;
+  options.require(marking == "all" || marking == "vertices", "marking", "all or vertices");
+  options.require(r.controls >= 1000, "max-controls", "at least 1000");
+  options.require(r.fairness >= 0 && std::isfinite(r.fairness), "fairness", "a number that is not negative");
   options.require(r.samples >= 0 && r.samples <= 100000000, "samples", "from 0 to 100000000");
   return r;
 }
@@ -51,19 +62,39 @@ int with_bump(int k, const F& f)
   }
 }
 
+Json metrics_of_errors(const SM::Fit_errors& e)
+{
+  return {{"rms_error", e.rms_error},
+          {"max_error", e.max_error},
+          {"closest_point_rms", e.closest_point_rms},
+          {"closest_point_max", e.closest_point_max},
+          {"normal_deviation", e.normal_deviation},
+          {"chart_disagreement", e.chart_disagreement}};
+}
+
 Json metrics_of_surface(const SM::Fit_report& report)
 {
-  return {{"tolerance_reached", report.tolerance_reached},
-          {"controls", report.controls},
-          {"controls_per_side", report.controls_per_side},
-          {"patches_per_chart", report.patches},
-          {"rms_error", report.rms_error},
-          {"max_error", report.max_error},
-          {"closest_point_rms", report.closest_point_rms},
-          {"closest_point_max", report.closest_point_max},
-          {"seconds", {{"sampling", report.seconds.sampling}, {"solving", report.seconds.solving},
-                       {"measuring", report.seconds.measuring},
-                       {"closest_point", report.seconds.closest_point}}}};
+  Json metrics = metrics_of_errors(report);
+  metrics["tolerance_reached"] = report.tolerance_reached;
+  metrics["vertex_rms_error"] = report.vertex_rms_error;
+  metrics["vertex_max_error"] = report.vertex_max_error;
+  metrics["controls"] = report.controls;
+  metrics["has_more_controls_than_vertices"] = report.has_more_controls_than_vertices();
+  for (const SM::Fit_report::Chart& c : report.charts) {
+    Json chart = metrics_of_errors(c);
+    chart["controls"] = c.controls;
+    chart["levels"] = c.levels;
+    metrics["charts"].push_back(std::move(chart));
+    metrics["patches_per_chart"].push_back(c.levels);
+  }
+  for (const SM::Fit_report::Level& l : report.levels)
+    metrics["levels"].push_back({{"controls", l.controls}, {"rms_error", l.rms_error}, {"max_error", l.max_error}});
+  const SM::Fit_report::Seconds& t = report.seconds;
+  metrics["seconds"] = {{"sampling", t.sampling}, {"solving_alone", t.solving_alone},
+                        {"solving_jointly", t.solving_jointly}, {"refining", t.refining},
+                        {"measuring", t.measuring}, {"closest_point", t.closest_point}};
+  metrics["bytes"] = {{"samples", report.bytes.samples}, {"equations", report.bytes.equations}};
+  return metrics;
 }
 
 template <class Map, class Bump>
@@ -76,9 +107,10 @@ int fit_and_write(const Command_line& options, const Fit_request& request, const
 
   SM::Fit_report report;
   const auto surface = watch.time("fit", [&] {
-    return SM::fit_surface(map, SM::parameters::rms_error(request.rms).max_error(request.maximum)
-                                  .spline_degree(request.degree).bump(bump).fit_report(std::ref(report))
-                                  .visitor(std::ref(progress)));
+    return SM::fit_surface<CGAL::Parallel_if_available_tag>(
+      map, SM::parameters::rms_error(request.rms).max_error(request.maximum).spline_degree(request.degree)
+             .max_controls(std::size_t(request.controls)).marking(request.marking).joint_solve(request.joint)
+             .fairness(request.fairness).bump(bump).fit_report(std::ref(report)).visitor(std::ref(progress)));
   });
   metrics["surface"] = metrics_of_surface(report);
   metrics["surface"]["smoothness"] = surface.smoothness();
@@ -86,9 +118,13 @@ int fit_and_write(const Command_line& options, const Fit_request& request, const
   // As many vertices as the mesh has, roughly, so that the tessellation shows what was fitted.
   const int subdivisions = SM::Tile_grid<typename Map::Atlas>::subdivisions_for(
     std::clamp(double(map.number_of_vertices()), 6000., 200000.));
-  metrics["parameters"] = {{"method", "certified"}, {"tolerance", request.rms},
+  const SM::Map_options map_options = SM::map_options_for_fitting();
+  metrics["parameters"] = {{"method", "certified"}, {"energy", "amips"}, {"lambda", map_options.lambda},
+                           {"area_floor", map_options.area_floor}, {"tolerance", request.rms},
                            {"max_tolerance", request.maximum}, {"degree", request.degree},
-                           {"bump", Bump::type}, {"bump_smoothness", request.smoothness},
+                           {"max_controls", request.controls}, {"fairness", request.fairness},
+                           {"marking", options.get<std::string>("marking")},
+                           {"economy", options.get<bool>("economy")}, {"bump", Bump::type}, {"bump_smoothness", request.smoothness},
                            {"subdivisions", subdivisions}, {"samples", request.samples}};
   watch.time("tessellate", [&] {
     SM::write_tessellation(folder.file("surface.ply"), surface, map,
@@ -108,6 +144,9 @@ int fit_and_write(const Command_line& options, const Fit_request& request, const
   const std::string errors = "rms error " + shown(report.rms_error) + " (tolerance " + shown(request.rms)
                            + "), max " + shown(report.max_error) + " (tolerance " + shown(request.maximum)
                            + ") of the diagonal, " + std::to_string(report.controls) + " controls";
+  if (report.has_more_controls_than_vertices() && !options.get<bool>("quiet"))
+    std::cerr << "fit_mesh: " << report.controls << " controls for a mesh of " << report.vertices
+              << " vertices: the surface reproduces facets; a larger tolerance or --marking vertices needs fewer\n";
   if (!options.get<bool>("quiet"))
     std::cout << summary(input, map) << "; " << errors << "; " << shown(watch.total()) << " s" << std::endl;
   if (report.tolerance_reached) return SUCCESS;
@@ -123,7 +162,8 @@ int main(int argc, char** argv)
     Command_line options(
       "fit_mesh INPUT -o DIR [options]",
       "Fits a smooth surface to a mesh (OFF, OBJ, PLY, STL; closed of genus 0 or 1, or a disk) and writes\n"
-      "into DIR: map.ply, surface.json, surface.ply, metrics.json and, with --samples, samples.csv.\n"
+      "into DIR: map.ply (a map that suits the fit: angles before areas), surface.json, surface.ply,\n"
+      "metrics.json and, with --samples, samples.csv.\n"
       "Exit status: 0 success, 1 tolerance not reached (the files are written), 2 usage, 3 unreadable\n"
       "input, 4 unsupported topology or geometry.");
     options.add("tolerance", po::value<double>()->default_value(2e-3, "0.002"),
@@ -132,6 +172,12 @@ int main(int argc, char** argv)
                 "largest error allowed, likewise (default: 10 times that)");
     options.add("degree", po::value<int>()->default_value(3), "degree of the splines, 2 to 5");
     options.add("smoothness", po::value<int>()->default_value(2), "smoothness of the blend, 1 to 3");
+    options.add("max-controls", po::value<long>()->default_value(1000000), "limit of the number of controls");
+    options.add("marking", po::value<std::string>()->default_value("all"),
+                "what has to be within the tolerance: all (the whole mesh) or vertices (fewer controls)");
+    options.add("economy", po::bool_switch(), "fewer controls for the same largest error, more time");
+    options.add("fairness", po::value<double>()->default_value(0),
+                "weight of the thin plate energy against noise; that of the mean squared error is 1");
     options.add("samples", po::value<long>()->default_value(0),
                 "write this many random points of the surface");
     options.parse(argc, argv);
@@ -143,8 +189,10 @@ int main(int argc, char** argv)
     SM::Atomic_folder folder(options.get<std::string>("output"));
     Progress progress(options.get<bool>("quiet"));
     const auto any_map = watch.time("map", [&] {
+      const SM::Map_options o = SM::map_options_for_fitting();
       return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
-        input.mesh, SM::parameters::close_borders(close_borders(options)).visitor(std::ref(progress)));
+        input.mesh, SM::parameters::energy(o.energy).energy_lambda(o.lambda).area_floor(o.area_floor)
+                      .close_borders(close_borders(options)).visitor(std::ref(progress)));
     });
     return std::visit([&](const auto& map) {
       return with_bump(request.smoothness, [&](const auto& bump) {

@@ -30,7 +30,12 @@
   X(rms_error)           /* double: largest root mean square of |E - M|, fraction of the diagonal */ \
   X(spline_degree)       /* int in 2..5 */                                                           \
   X(bump)                /* model of BumpFunction */                                                 \
-  X(max_controls_per_side) /* int: limit of the uniform refinement of a chart */                     \
+  X(max_controls)        /* std::size_t: limit of the controls of a surface */                       \
+  X(refinement)          /* Refinement: where a fit adds controls */                                 \
+  X(joint_solve)         /* Joint_solve: when the charts are fitted together */                      \
+  X(marking)             /* Marking: which points a fit brings within the tolerance */               \
+  X(fairness)            /* double: weight of the thin plate energy */                               \
+  X(vertex_weights)      /* Range of double: weights of the vertices of a map in a fit */            \
   X(fit_report)          /* std::reference_wrapper<Fit_report> */                                    \
   X(subdivisions)        /* int: cells per side of a tile */                                         \
   X(relative_error)      /* double: error of an integral allowed, fraction of the integral of |f| */ \

@@ -18,41 +18,69 @@ namespace Simple_manifolds {
 
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///
-/// How well a surface was fitted, and at what cost.
+/// The errors of a surface E that was fitted to a map M, or of the part of it over the tile of a chart.
 ///
-/// All errors are fractions of the diagonal of the bounding box. They are measured at all vertices and,
+/// All but angles are fractions of the diagonal of the bounding box. They are measured at all vertices and,
 /// in each face, at the three points with barycentric coordinates (2/3,1/6,1/6) and its rotations, all
 /// with equal weight. Of these only the vertices are among the points that the surface is fitted to.
-struct Fit_report {
-  bool tolerance_reached = false; ///< whether `rms_error` and `max_error` are within the tolerances
-  double rms_tolerance = 0;
-  double max_tolerance = 0;
-
+struct Fit_errors {
   double rms_error = 0;          ///< root mean square of |E(p) - M(p)|, the *parametric* distance
   double max_error = 0;          ///< its largest value
   double closest_point_rms = 0;  ///< the same for the distance of M(p) from the surface
   double closest_point_max = 0;
-  double chart_disagreement = 0; ///< root mean square of b_c |E_c - M|, over all charts at all points
+  double normal_deviation = 0;   ///< root mean square angle between the normals of E and of the face, radians
+  double chart_disagreement = 0; ///< root mean square of b_c |E_c - M| over the charts that see a point
+};
 
-  std::size_t controls = 0;           ///< coefficients of all charts together, each is a point of space
-  std::vector<int> controls_per_side; ///< per chart
-  std::vector<int> patches;           ///< per chart
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// How well a surface was fitted, and at what cost.
+struct Fit_report : Fit_errors {
+  /// One chart.
+  struct Chart : Fit_errors {
+    std::size_t controls = 0; ///< its active functions
+    int levels = 0;           ///< of its hierarchy, 1 if it is uniform
+  };
 
   /// One step of the refinement, the coarsest first.
   struct Level {
     std::size_t controls;
     double rms_error, max_error;
   };
-  std::vector<Level> levels;
 
   /// Wall clock seconds.
   struct Seconds {
     double sampling = 0;      ///< locating points in the mesh
-    double solving = 0;       ///< assembling and factoring the normal equations
+    double solving_alone = 0; ///< charts one by one
+    double solving_jointly = 0;
+    double refining = 0;
     double measuring = 0;     ///< evaluating the errors
-    double closest_point = 0; ///< closest point distances
+    double closest_point = 0; ///< closest point distances and normals
     double total = 0;
-  } seconds;
+  };
+
+  /// Memory in bytes, the largest at any time.
+  struct Bytes {
+    std::size_t samples = 0;
+    std::size_t equations = 0; ///< the normal equations and their factor
+  };
+
+  /// Whether `rms_error` and `max_error` are within the tolerances; with `Marking::VERTICES` those of the vertices.
+  bool tolerance_reached = false;
+  double rms_tolerance = 0;
+  double max_tolerance = 0;
+  double vertex_rms_error = 0;    ///< of the vertices alone
+  double vertex_max_error = 0;
+  std::size_t controls = 0;       ///< coefficients of all charts together, each is a point of space
+  std::size_t vertices = 0;       ///< of the mesh, for comparison
+  std::vector<Chart> charts;
+  std::vector<Level> levels;      ///< one per measurement
+  Seconds seconds;
+  Bytes bytes;
+
+  /// Whether the surface has more controls than the mesh has vertices: it then reproduces the facets
+  /// of the mesh, at a cost that the mesh does not have.
+  bool has_more_controls_than_vertices() const { return controls > vertices; }
 };
 
 } // namespace Simple_manifolds

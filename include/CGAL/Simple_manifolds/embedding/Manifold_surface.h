@@ -16,7 +16,6 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/parallel_for.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
-#include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/internal/evaluate_batch.h>
 
 #include <CGAL/assertions.h>

@@ -9,11 +9,11 @@
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_SURFACE_FITTER_H
 
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
+#include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
-#include <CGAL/Simple_manifolds/embedding/internal/Chart_pins.h>
-#include <CGAL/Simple_manifolds/embedding/internal/Spline_least_squares.h>
-#include <CGAL/Simple_manifolds/embedding/internal/Target_points.h>
-#include <CGAL/Simple_manifolds/embedding/internal/closest_point.h>
+#include <CGAL/Simple_manifolds/embedding/internal/Error_measurement.h>
+#include <CGAL/Simple_manifolds/embedding/internal/Fit_samples.h>
+#include <CGAL/Simple_manifolds/embedding/internal/Hierarchical_fit.h>
 
 #include <CGAL/assertions.h>
 
@@ -21,7 +21,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,47 +32,88 @@ namespace Simple_manifolds {
 
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///
+/// Where a fit adds controls.
+enum class Refinement {
+  ADAPTIVE, ///< where the error is too large: hierarchical B-splines
+  UNIFORM   ///< everywhere: each step has twice as many cells per side in every chart
+};
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// When the charts are fitted together, with the blend inside the system, not one by one. Then only the
+/// blend is near the mesh: a chart for itself may be far from it near its border, where its blend vanishes.
+enum class Joint_solve {
+  AT_END, ///< charts alone until each is near the tolerance, then together: fast
+  ALWAYS, ///< together from the start: fewer controls for the same largest error, more time
+  NEVER   ///< alone: each chart is as good as it can be, their blend has a larger error
+};
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// Which points of a mesh a fit has to bring within the tolerance.
+enum class Marking {
+  ALL_POINTS, ///< the whole mesh, facets and creases included
+  VERTICES    ///< the vertices: far fewer controls where the tolerance is finer than the facets
+};
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
 /// What a fit aims at.
 struct Fit_options {
-  double rms_error = 2e-3;        ///< tolerance of the root mean square, fraction of the diagonal
-  double max_error = 2e-2;        ///< tolerance of the maximum, fraction of the diagonal
-  int spline_degree = 3;          ///< 2 to 5
-  int max_controls_per_side = 67; ///< limit of the refinement: 64 cells of cubics
+  double rms_error = 2e-3;            ///< tolerance of the root mean square, fraction of the diagonal
+  double max_error = 2e-2;            ///< tolerance of the maximum, fraction of the diagonal
+  int spline_degree = 3;              ///< 2 to 5
+  std::size_t max_controls = 1000000; ///< limit of the controls of all charts together
+  Refinement refinement = Refinement::ADAPTIVE;
+  Joint_solve joint_solve = Joint_solve::AT_END;
+  Marking marking = Marking::ALL_POINTS;
+  /// Weight of the thin plate energy, the integral of |E_c''|^2 over the charts; that of the mean squared
+  /// error is 1. For noisy meshes; 0 is best for others.
+  double fairness = 0;
+  /// One weight per vertex of the map, >= 0, relative to one another; empty: all equal. Samples inside of
+  /// faces are not weighted.
+  std::vector<double> vertex_weights;
 };
 
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///
 /// Fits a manifold surface to a map.
 ///
-/// Each chart gets one patch over the unit square, fitted by weighted least squares to the vertices in
-/// the chart and to 3 x 3 evenly spaced points of the chart per knot cell; the weight of a residual is
-/// the blend b_c (Grimm 2002, section 5: Delta_c = b_c (M - E_c)), raised by a small floor. Starting from
-/// 4 x 4 cells, the charts whose error b_c |M - E_c| exceeds a tolerance get twice as many cells per
-/// side: the previous patch is expressed in the finer space, exactly, and only its correction is solved
-/// for. That ends when the surface E itself meets both tolerances, or when the limit is reached.
+/// Each chart has a hierarchical B-spline over dyadic cells, at first 4 x 4. It is fitted by weighted least
+/// squares to the vertices in the chart and to 3 x 3 located points of every cell; the weight of a
+/// residual is the blend b_c (Grimm 2002, section 5: Delta_c = b_c (M - E_c)), raised by a small floor.
+/// Cells where that error is too large are split, the previous spline is expressed in the finer space,
+/// exactly, and only its correction is solved for. When every chart is good enough all charts are
+/// solved for together, with the blend inside the system, and cells are split where the surface E itself
+/// errs, until it meets both tolerances or the limit of the controls is reached.
 ///
-/// The result is deterministic.
+/// The result is deterministic, and does not depend on the number of threads.
 ///
 /// \tparam Map   a model of `ManifoldMap`. Used are: the types `Atlas`, `Domain_point` and `Location`
 ///               (default constructible, with members `face` and `barycentric`), and the members
 ///               `atlas()`, `number_of_vertices()`, `number_of_faces()`, `point(v)`, `domain_point(v)`,
 ///               `is_virtual(f)`, `is_virtual_vertex(v)`, `diagonal()`, `to_domain(location)`,
-///               `position(location)` and `to_mesh(p, face_hint)`, where the hint -1 is none.
+///               `position(location)` and `to_mesh(p, face_hint)`, where the hint -1 is none; the const
+///               members are called from several threads under `Parallel_tag`.
 /// \tparam Bump  a model of `BumpFunction`
-template <class Map, class Bump = Smoothstep_bump<2>>
+/// \tparam ConcurrencyTag  `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
+template <class Map, class Bump = Smoothstep_bump<2>, class ConcurrencyTag = Sequential_tag>
 class Surface_fitter {
 public:
   using Atlas = typename Map::Atlas;
-  using Surface = Manifold_surface<Atlas, Patch_stack_embedding, Bump>;
+  using Surface = Manifold_surface<Atlas, Hierarchical_embedding, Bump>;
 
-  /// Evaluates the points where the error is measured; the map must outlive the fitter.
-  /// \pre the tolerances are not negative; the degree is in 2..5; `max_controls_per_side > spline_degree`
+  /// The map must outlive the fitter.
+  /// \pre the tolerances, the fairness and the weights are not negative; the degree is in 2..5;
+  ///   `max_controls` allows for the coarsest space: `number_of_charts * (4 + spline_degree)^2`
   Surface_fitter(const Map& map, const Fit_options& options = Fit_options(), const Bump& bump = Bump())
-    : map_(map), options_(options), points_(map, bump)
+    : map_(map), options_(options), partition_(bump, map.atlas()), sampler_(map, partition_),
+      errors_(map, partition_, options.marking == Marking::VERTICES)
   {
-    CGAL_precondition(options.rms_error >= 0 && options.max_error >= 0);
+    CGAL_precondition(options.rms_error >= 0 && options.max_error >= 0 && options.fairness >= 0);
     CGAL_precondition(options.spline_degree >= 2 && options.spline_degree <= 5);
-    CGAL_precondition(options.max_controls_per_side > options.spline_degree);
+    CGAL_precondition(options.max_controls >= std::size_t(Atlas::number_of_charts)
+                      * (4 + options.spline_degree) * (4 + options.spline_degree));
   }
 
   /// Fits; may be called repeatedly, with equal results.
@@ -90,22 +131,22 @@ public:
     report_.rms_tolerance = options_.rms_error;
     report_.max_tolerance = options_.max_error;
     visitor.start_phase("fit");
-    std::vector<Patch_stack_embedding> charts = coarsest();
-    std::vector<bool> marked(charts.size(), true);
-    double done = 0;
-    for(;;) {
-      solve(charts, marked, done, visitor);
-      marked = measure(charts);
-      if(report_.tolerance_reached || std::find(marked.begin(), marked.end(), true) == marked.end())
-        break;
-      for(std::size_t c = 0; c < charts.size(); ++c)
-        if(marked[c])
-          charts[c] = Patch_stack_embedding({charts[c].patches()[0].refined()});
-    }
+    done_ = 0;
+    Fit fit(options_.spline_degree, Atlas::number_of_charts, centre(), options_.fairness);
+    timed(report_.seconds.sampling, [&] { fit.add(sampler_.vertices(options_.vertex_weights)); });
+    sample(fit);
+    if(options_.refinement == Refinement::UNIFORM)
+      refine_everywhere(fit, visitor);
+    else
+      refine_where_needed(fit, visitor);
     visitor.end_phase();
+
     visitor.start_phase("measure");
-    const Surface surface(std::move(charts), points_.partition().bump(), map_.atlas());
-    measure_closest_points(surface, visitor);
+    report_.bytes = fit.bytes();
+    Surface surface(embeddings(fit), partition_.bump(), map_.atlas());
+    timed(report_.seconds.closest_point, [&] {
+      errors_.template measure_surface<ConcurrencyTag>(surface, report_, visitor);
+    });
     visitor.end_phase();
     report_.seconds.total = seconds_since(start);
     return surface;
@@ -116,140 +157,191 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-  static constexpr int pins_per_cell_side = 3;
-  static constexpr double ridge = 1e-7;
+  using Fit = internal::Hierarchical_fit<ConcurrencyTag>;
+  static constexpr bool has_single_chart = Atlas::number_of_charts == 1;
 
   static double seconds_since(Clock::time_point start)
   {
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
 
-  int cells(const Patch_stack_embedding& chart) const
+  template <class F>
+  static void timed(double& seconds, const F& f)
   {
-    return chart.patches()[0].nu() - options_.spline_degree;
+    const Clock::time_point start = Clock::now();
+    f();
+    seconds += seconds_since(start);
   }
 
-  // one constant patch per chart: B-splines sum to 1, so this is the centroid of the vertices
-  std::vector<Patch_stack_embedding> coarsest() const
+  Eigen::Vector3d centre() const
   {
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
     for(std::size_t v = 0; v < map_.number_of_vertices(); ++v)
-      centre += map_.point(v) / double(map_.number_of_vertices());
-    const int d = options_.spline_degree, n = (std::min)(4 + d, options_.max_controls_per_side);
-    const Spline_patch patch({0, 0, 1, 1}, d, n, n, std::vector<Eigen::Vector3d>(n * n, centre));
-    return std::vector<Patch_stack_embedding>(Atlas::number_of_charts, Patch_stack_embedding({patch}));
+      x += map_.point(v) / double(map_.number_of_vertices());
+    return x;
+  }
+
+  bool only_vertices() const { return options_.marking == Marking::VERTICES; }
+
+  // Where charts alone are good enough. A largest error of 5 times the root mean square is usual; solving
+  // jointly makes the largest error two or three times smaller.
+  double bound() const
+  {
+    return (has_single_chart || options_.joint_solve == Joint_solve::NEVER ? 1 : 2)
+         * (std::min)(options_.max_error, 5 * options_.rms_error) * map_.diagonal();
+  }
+
+  void sample(Fit& fit)
+  {
+    timed(report_.seconds.sampling, [&] {
+      std::vector<typename Sampler::Chart_cell> cells;
+      for(const auto& [chart, cell] : fit.new_leaves())
+        cells.push_back({chart, cell, fit.splines()[chart].tree().side(cell.level)});
+      fit.add(sampler_.template cells<ConcurrencyTag>(cells));
+    });
+  }
+
+  // Whether there was anything to refine.
+  bool refine(Fit& fit, std::vector<internal::Mark> marks, std::vector<int>& changed)
+  {
+    timed(report_.seconds.refining, [&] { changed = fit.refine(std::move(marks), options_.max_controls); });
+    if(changed.empty())
+      return false;
+    sample(fit);
+    return true;
   }
 
   template <class Visitor>
-  void solve(std::vector<Patch_stack_embedding>& charts, const std::vector<bool>& marked, double& done,
-             Visitor& visitor)
+  void measure(const Fit& fit, Visitor& visitor)
   {
-    const internal::Pin_weights weights;
-    const double limit = options_.max_controls_per_side - options_.spline_degree;
-    std::map<int, internal::Spline_least_squares> solvers; // by number of cells: shares the analysis
-    for(std::size_t c = 0; c < charts.size(); ++c) {
-      if(!marked[c])
-        continue;
-      const int n = cells(charts[c]);
-      const Clock::time_point sampling = Clock::now();
-      std::vector<internal::Pin> pins =
-        internal::grid_pins(map_, points_.partition(), int(c), pins_per_cell_side * n, weights);
-      internal::append_vertex_pins(points_, int(c), weights, pins);
-      report_.seconds.sampling += seconds_since(sampling);
-
-      const Clock::time_point solving = Clock::now();
-      internal::Spline_least_squares& solver =
-        solvers.try_emplace(n, options_.spline_degree, n).first->second;
-      charts[c] = Patch_stack_embedding({solver.correct(charts[c].patches()[0], pins, ridge)});
-      report_.seconds.solving += seconds_since(solving);
-
-      const Clock::time_point measuring = Clock::now();
-      points_.update(int(c), charts[c]);
-      report_.seconds.measuring += seconds_since(measuring);
-      done += 0.75 * n * n / (limit * limit * double(charts.size())); // all levels: 1 + 1/4 + ... < 4/3
-      visitor.progress((std::min)(done, 1.));
-    }
+    timed(report_.seconds.measuring, [&] { errors_.template measure<ConcurrencyTag>(fit, report_); });
+    report_.tolerance_reached = errors_.meets(options_.rms_error, options_.max_error);
+    show_progress(report_.max_error * map_.diagonal(), visitor);
   }
 
-  // Measures the surface and its charts; returns the charts to refine.
-  std::vector<bool> measure(const std::vector<Patch_stack_embedding>& charts)
+  // From the diagonal down to the bound, on a logarithmic scale.
+  template <class Visitor>
+  void show_progress(double error, Visitor& visitor)
   {
-    const Clock::time_point start = Clock::now();
-    const double diagonal = map_.diagonal();
-    std::vector<double> square(charts.size(), 0), largest(charts.size(), 0);
-    std::vector<std::size_t> count(charts.size(), 0);
-    double total = 0, maximum = 0;
-    for(std::size_t k = 0; k < points_.size(); ++k) {
-      const double e = points_.residual(k).norm() / diagonal;
-      total += e * e;
-      maximum = (std::max)(maximum, e);
-      for(auto view = points_.begin(k); view != points_.end(k); ++view) {
-        const int c = view->at.chart;
-        const double own = view->blend * (view->embedding - points_.target(k)).norm() / diagonal;
-        square[c] += own * own;
-        largest[c] = (std::max)(largest[c], own);
-        ++count[c];
-      }
-    }
-
-    double disagreement = 0;
-    std::size_t views = 0, controls = 0;
-    report_.controls_per_side.clear();
-    for(std::size_t c = 0; c < charts.size(); ++c) {
-      disagreement += square[c];
-      views += count[c];
-      controls += charts[c].number_of_coefficients();
-      report_.controls_per_side.push_back(charts[c].patches()[0].nu());
-    }
-    report_.patches.assign(charts.size(), 1);
-    report_.controls = controls;
-    report_.rms_error = std::sqrt(total / double(points_.size()));
-    report_.max_error = maximum;
-    report_.chart_disagreement = std::sqrt(disagreement / double(views));
-    report_.levels.push_back({controls, report_.rms_error, maximum});
-    report_.tolerance_reached = report_.rms_error <= options_.rms_error && maximum <= options_.max_error;
-    report_.seconds.measuring += seconds_since(start);
-
-    // E can miss a tolerance that every chart meets, since errors of charts add up: then a stricter
-    // criterion chooses the charts
-    std::vector<bool> marked(charts.size(), false);
-    for(double strictness = 1; strictness <= 1 << 20; strictness *= 2) {
-      bool any = false;
-      for(std::size_t c = 0; c < charts.size(); ++c) {
-        const double rms = std::sqrt(square[c] / double((std::max<std::size_t>)(count[c], 1)));
-        const bool bad =
-          rms * strictness > options_.rms_error || largest[c] * strictness > options_.max_error;
-        marked[c] = bad && 2 * cells(charts[c]) + options_.spline_degree <= options_.max_controls_per_side;
-        any = any || marked[c];
-      }
-      if(any)
-        break;
-    }
-    return marked;
+    const double all = std::log((std::max)(bound() / map_.diagonal(), 1e-16));
+    const double now = std::log((std::max)(error / map_.diagonal(), 1e-16));
+    done_ = (std::max)(done_, (std::min)((std::max)(now / all, 0.), 1.));
+    visitor.progress(done_);
   }
 
   template <class Visitor>
-  void measure_closest_points(const Surface& surface, Visitor& visitor)
+  void solve_jointly(Fit& fit, Visitor& visitor)
   {
-    const Clock::time_point start = Clock::now();
-    double total = 0, maximum = 0;
-    for(std::size_t k = 0; k < points_.size(); ++k) {
-      const double d = internal::closest_point_distance(surface, points_.domain(k), points_.target(k))
-                     / map_.diagonal();
-      total += d * d;
-      maximum = (std::max)(maximum, d);
-      if(k % 65536 == 0)
-        visitor.progress(double(k) / double(points_.size()));
-    }
-    report_.closest_point_rms = std::sqrt(total / double(points_.size()));
-    report_.closest_point_max = maximum;
-    report_.seconds.closest_point = seconds_since(start);
+    timed(report_.seconds.solving_jointly, [&] { fit.solve_jointly(); });
+    measure(fit, visitor);
   }
+
+  template <class Visitor>
+  void solve_alone(Fit& fit, const std::vector<int>& charts, Visitor& visitor)
+  {
+    timed(report_.seconds.solving_alone, [&] { fit.solve_alone(charts); });
+    measure(fit, visitor);
+  }
+
+  template <class Visitor>
+  void refine_everywhere(Fit& fit, Visitor& visitor)
+  {
+    const bool jointly = !has_single_chart && options_.joint_solve != Joint_solve::NEVER;
+    for(;;) {
+      if(jointly)
+        solve_jointly(fit, visitor);
+      else
+        solve_alone(fit, fit.all_charts(), visitor);
+      std::vector<internal::Mark> marks;
+      std::size_t controls = 0;
+      for(int c = 0; c < Atlas::number_of_charts; ++c) {
+        const internal::Cell_tree& tree = fit.splines()[c].tree();
+        const std::size_t finer = 2 * tree.side(tree.depth()) + options_.spline_degree;
+        controls += finer * finer;
+        for(int node = 0; node < tree.size(); ++node)
+          if(tree.is_leaf(node))
+            marks.push_back({c, tree.cell(node), tree.cell(node), 0});
+      }
+      std::vector<int> changed;
+      if(report_.tolerance_reached || controls > options_.max_controls
+         || !refine(fit, std::move(marks), changed))
+        return;
+    }
+  }
+
+  template <class Visitor>
+  void refine_where_needed(Fit& fit, Visitor& visitor)
+  {
+    if(options_.joint_solve != Joint_solve::ALWAYS || has_single_chart)
+      refine_alone(fit, visitor);
+    std::vector<int> changed;
+    if(has_single_chart || options_.joint_solve == Joint_solve::NEVER) {
+      measure(fit, visitor);
+      while(!report_.tolerance_reached && refine(fit, joint_marks(fit), changed))
+        solve_alone(fit, changed, visitor);
+      return;
+    }
+    do
+      solve_jointly(fit, visitor);
+    while(!report_.tolerance_reached && refine(fit, joint_marks(fit), changed));
+  }
+
+  // Until every chart is within the bound where it counts.
+  template <class Visitor>
+  void refine_alone(Fit& fit, Visitor& visitor)
+  {
+    std::vector<int> changed = fit.all_charts();
+    std::vector<internal::Mark> marks;
+    do {
+      timed(report_.seconds.solving_alone, [&] { fit.solve_alone(changed); });
+      marks = fit.marks_alone(changed, bound(), only_vertices());
+      double largest = bound();
+      for(const internal::Mark& m : marks)
+        largest = (std::max)(largest, m.error);
+      show_progress(largest, visitor);
+    } while(refine(fit, std::move(marks), changed));
+  }
+
+  // Where the surface errs too much; if only the root mean square is too large, where it errs most.
+  std::vector<internal::Mark> joint_marks(const Fit& fit)
+  {
+    std::vector<internal::Mark> marks;
+    timed(report_.seconds.measuring, [&] {
+      const double limit = errors_.bound(options_.rms_error, options_.max_error);
+      marks = fit.marks_jointly(limit * map_.diagonal(), only_vertices());
+      if(!only_vertices()) // the vertices are samples
+        errors_.add_marks(fit, limit, marks);
+    });
+    return marks;
+  }
+
+  static std::vector<Hierarchical_embedding> embeddings(const Fit& fit)
+  {
+    std::vector<Hierarchical_embedding> charts;
+    for(const internal::Chart_spline& spline : fit.splines()) {
+      const internal::Hierarchical_space& space = spline.space();
+      std::vector<Hierarchical_embedding::Level> levels(space.number_of_levels());
+      for(int l = 0; l < space.number_of_levels(); ++l) {
+        levels[l].cells = spline.tree().side(l);
+        for(int f = space.begin(l); f < space.begin(l + 1); ++f) {
+          levels[l].indices.push_back(int(space.index(l, f)));
+          levels[l].coefficients.push_back(spline.coefficients()[f]);
+        }
+      }
+      charts.emplace_back(space.degree(), std::move(levels));
+    }
+    return charts;
+  }
+
+  using Sampler = internal::Surface_sampler<Map, Bump>;
 
   const Map& map_;
   Fit_options options_;
-  internal::Target_points<Map, Bump> points_;
+  Partition_of_unity<Atlas, Bump> partition_;
+  Sampler sampler_;
+  internal::Error_measurement<Map, Bump> errors_;
   Fit_report report_;
+  double done_ = 0; // share of the running phase
 };
 
 } // namespace Simple_manifolds

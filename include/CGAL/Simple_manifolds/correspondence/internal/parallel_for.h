@@ -43,6 +43,26 @@ void parallel_for(int begin, int end, const F& f)
     f(begin, end);
 }
 
+// Calls f(k) for k = 0, ..., count-1: few heavy tasks, which may run at the same time.
+template <class ConcurrencyTag, class F>
+void parallel_tasks(int count, const F& f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if (std::is_convertible<ConcurrencyTag, Parallel_tag>::value && count > 1) {
+    tbb::parallel_for(tbb::blocked_range<int>(0, count, 1), [&](const tbb::blocked_range<int>& r) {
+      for (int k = r.begin(); k < r.end(); ++k)
+        f(k);
+    }, tbb::simple_partitioner());
+    return;
+  }
+#else
+  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
+                "Parallel_tag needs TBB: link CGAL::TBB_support, or use Parallel_if_available_tag");
+#endif
+  for (int k = 0; k < count; ++k)
+    f(k);
+}
+
 } // namespace internal
 } // namespace Simple_manifolds
 } // namespace CGAL

@@ -8,10 +8,18 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_CHOLESKY_SOLVER_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_CHOLESKY_SOLVER_H
 
+#include <CGAL/Simple_manifolds/Error.h>
+
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <string>
 
 #ifdef CGAL_SIMPLE_MANIFOLDS_USE_CHOLMOD
 #include <Eigen/CholmodSupport>
+
+#include <mutex>
 #else
 #include <Eigen/SparseCholesky>
 #endif
@@ -23,11 +31,33 @@ namespace internal {
 /// Symmetric positive definite systems, of which the lower triangle is given. CHOLMOD and Eigen give
 /// the same solution up to rounding, not bit for bit.
 using Sparse_matrix = Eigen::SparseMatrix<double>;
+
+/// The solution of a x = b, and the memory that it took.
+/// \throw Numeric_error  the factorisation fails
+inline Eigen::MatrixX3d solve_cholesky(const Sparse_matrix& a, const Eigen::MatrixX3d& b, std::size_t& bytes)
+{
 #ifdef CGAL_SIMPLE_MANIFOLDS_USE_CHOLMOD
-using Cholesky_solver = Eigen::CholmodSupernodalLLT<Sparse_matrix, Eigen::Lower>;
+  // Not every BLAS that CHOLMOD may be linked with can be called by two threads, OpenBLAS's serial build
+  // cannot. The factorisation is a small share of a fit.
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  Eigen::CholmodSupernodalLLT<Sparse_matrix, Eigen::Lower> solver;
+  solver.cholmod().print = 0; // nothing on the console
 #else
-using Cholesky_solver = Eigen::SimplicialLLT<Sparse_matrix, Eigen::Lower>;
+  Eigen::SimplicialLLT<Sparse_matrix, Eigen::Lower> solver;
 #endif
+  solver.compute(a);
+  if(solver.info() != Eigen::Success)
+    throw Numeric_error(Error_code::numeric_failure, "the normal equations of " + std::to_string(a.rows())
+                        + " controls cannot be factored");
+  Eigen::MatrixX3d x = solver.solve(b);
+#ifdef CGAL_SIMPLE_MANIFOLDS_USE_CHOLMOD
+  bytes = solver.cholmod().memory_usage;
+#else
+  bytes = std::size_t(solver.matrixL().nestedExpression().nonZeros()) * (sizeof(double) + sizeof(int));
+#endif
+  return x;
+}
 
 } // namespace internal
 } // namespace Simple_manifolds
