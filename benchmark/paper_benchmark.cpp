@@ -40,8 +40,8 @@ void row(const std::string& name, const Mesh& mesh, const char* method, const Ma
       const SM::Distortion d = SM::distortion(map);
       std::cout << "ok," << std::decay_t<decltype(map)>::Atlas::name << ',' << seconds;
       for (const double x : {c.largest_deviation, double(c.charts.stars_without_chart),
-                             double(c.vertices_outside), c.convex_share(), d.angle_mean, d.area_mean_abs_log10,
-                             d.symmetric_dirichlet, d.smallest_domain_area})
+                             double(c.vertices_outside), c.convex_share(), d.angle_mean,
+                             d.area_mean_abs_log10, d.symmetric_dirichlet, d.smallest_domain_area})
         std::cout << ',' << x;
     }, any);
   } catch (const SM::Partition_error& e) {
