@@ -65,7 +65,8 @@ struct Fit_report : Fit_errors {
     std::size_t equations = 0; ///< the normal equations and their factor
   };
 
-  /// Whether `rms_error` and `max_error` are within the tolerances; with `Marking::VERTICES` those of the vertices.
+  /// Whether `rms_error` and `max_error` are within the tolerances; with `Marking::VERTICES` those of the
+  /// vertices.
   bool tolerance_reached = false;
   double rms_tolerance = 0;
   double max_tolerance = 0;

@@ -202,9 +202,9 @@ private:
   }
 
   // Whether there was anything to refine.
-  bool refine(Fit& fit, std::vector<internal::Mark> marks, std::vector<int>& changed)
+  bool refine(Fit& fit, std::vector<internal::Mark> marks, std::vector<int>& changed, std::size_t limit)
   {
-    timed(report_.seconds.refining, [&] { changed = fit.refine(std::move(marks), options_.max_controls); });
+    timed(report_.seconds.refining, [&] { changed = fit.refine(std::move(marks), limit); });
     if(changed.empty())
       return false;
     sample(fit);
@@ -264,7 +264,7 @@ private:
       }
       std::vector<int> changed;
       if(report_.tolerance_reached || controls > options_.max_controls
-         || !refine(fit, std::move(marks), changed))
+         || !refine(fit, std::move(marks), changed, options_.max_controls))
         return;
     }
   }
@@ -277,13 +277,13 @@ private:
     std::vector<int> changed;
     if(has_single_chart || options_.joint_solve == Joint_solve::NEVER) {
       measure(fit, visitor);
-      while(!report_.tolerance_reached && refine(fit, joint_marks(fit), changed))
+      while(!report_.tolerance_reached && refine(fit, joint_marks(fit), changed, options_.max_controls))
         solve_alone(fit, changed, visitor);
       return;
     }
     do
       solve_jointly(fit, visitor);
-    while(!report_.tolerance_reached && refine(fit, joint_marks(fit), changed));
+    while(!report_.tolerance_reached && refine(fit, joint_marks(fit), changed, options_.max_controls));
   }
 
   // Until every chart is within the bound where it counts.
@@ -292,6 +292,9 @@ private:
   {
     std::vector<int> changed = fit.all_charts();
     std::vector<internal::Mark> marks;
+    const bool is_last = has_single_chart || options_.joint_solve == Joint_solve::NEVER;
+    // the rest is placed by what the charts err together
+    const std::size_t limit = is_last ? options_.max_controls : options_.max_controls / 2;
     do {
       timed(report_.seconds.solving_alone, [&] { fit.solve_alone(changed); });
       marks = fit.marks_alone(changed, bound(), only_vertices());
@@ -299,7 +302,7 @@ private:
       for(const internal::Mark& m : marks)
         largest = (std::max)(largest, m.error);
       show_progress(largest, visitor);
-    } while(refine(fit, std::move(marks), changed));
+    } while(refine(fit, std::move(marks), changed, limit));
   }
 
   // Where the surface errs too much; if only the root mean square is too large, where it errs most.

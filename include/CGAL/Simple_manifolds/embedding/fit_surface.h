@@ -84,7 +84,9 @@ auto fit_surface(const Map& map, const NamedParameters& np = parameters::default
     internal_np::bump_t, NamedParameters, Smoothstep_bump<2>>::type>;
 
   Fit_options options;
-  const auto read = [&np](auto& option, auto tag) { option = choose_parameter(get_parameter(np, tag), option); };
+  const auto read = [&np](auto& option, auto tag) {
+    option = choose_parameter(get_parameter(np, tag), option);
+  };
   read(options.rms_error, internal_np::rms_error);
   options.max_error = 10 * options.rms_error;
   read(options.max_error, internal_np::max_error);
@@ -95,7 +97,8 @@ auto fit_surface(const Map& map, const NamedParameters& np = parameters::default
   read(options.marking, internal_np::marking);
   read(options.fairness, internal_np::fairness);
   const std::vector<double> no_weights;
-  const auto& weights = choose_parameter(get_parameter_reference(np, internal_np::vertex_weights), no_weights);
+  const auto& weights =
+    choose_parameter(get_parameter_reference(np, internal_np::vertex_weights), no_weights);
   options.vertex_weights.assign(std::begin(weights), std::end(weights));
   Default_visitor default_visitor;
   auto& visitor = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
@@ -131,7 +134,8 @@ auto fit_surface(const FaceListGraph& mesh, const NamedParameters& np = paramete
   const Any_map any_map = map_to_canonical_surface<ConcurrencyTag>(mesh,
     parameters::energy(choose_parameter(get_parameter(np, internal_np::energy), o.energy),
       parameters::energy_lambda(choose_parameter(get_parameter(np, internal_np::energy_lambda), o.lambda),
-        parameters::area_floor(choose_parameter(get_parameter(np, internal_np::area_floor), o.area_floor), np))));
+        parameters::area_floor(choose_parameter(get_parameter(np, internal_np::area_floor), o.area_floor),
+          np))));
   return std::visit([&np](const auto& map) {
     return Any_surface<Bump>(fit_surface<ConcurrencyTag>(map, np));
   }, any_map);

@@ -75,7 +75,10 @@ public:
   }
 
   /// The local coefficients of a leaf, in the order of `Leaf_basis`.
-  const Eigen::Vector3d* local(int leaf) const { return &local_[leaf * std::size_t(basis_.number_of_local_functions())]; }
+  const Eigen::Vector3d* local(int leaf) const
+  {
+    return &local_[leaf * std::size_t(basis_.number_of_local_functions())];
+  }
 
   template <int D>
   Eigen::Vector3d point(int leaf, const Eigen::Vector2d& uv) const

@@ -141,7 +141,8 @@ public:
       const int count = (std::min)(batch, number_of_pieces() - first);
       std::vector<Sums> distances(count), angles(count);
       parallel_tasks<ConcurrencyTag>(count, [&](int piece) {
-        for_each_point(first + piece, [&](std::size_t, const Domain_point& p, const Eigen::Vector3d& x, int face) {
+        for_each_point(first + piece, [&](std::size_t, const Domain_point& p, const Eigen::Vector3d& x,
+                                          int face) {
           const int c = partition_.atlas().tile(p);
           distances[piece][c].add(closest_point_distance(surface, p, x) / map_.diagonal());
           if(face < 0)

@@ -54,7 +54,8 @@ struct Fit_samples {
   }
 
   template <class Weights>
-  void add(const Eigen::Vector3d& x, double domain_share, double area_share, int chart, const Weights& weights)
+  void add(const Eigen::Vector3d& x, double domain_share, double area_share, int chart,
+           const Weights& weights)
   {
     target.push_back(x);
     domain.push_back(domain_share);

@@ -76,9 +76,11 @@ public:
     descend();
     weigh();
     evaluate(all_charts());
-    const std::size_t per_sample = sizeof(Eigen::Vector3d) * 2 + sizeof(double) * 4 + sizeof(std::size_t) + sizeof(int);
+    const std::size_t per_sample =
+      2 * sizeof(Eigen::Vector3d) + 4 * sizeof(double) + sizeof(std::size_t) + sizeof(int);
     const std::size_t per_view = sizeof(Fit_samples::View) + sizeof(Eigen::Vector3d);
-    bytes_.samples = (std::max)(bytes_.samples, samples_.size() * per_sample + samples_.views.size() * per_view);
+    bytes_.samples = (std::max)(bytes_.samples,
+                                samples_.size() * per_sample + samples_.views.size() * per_view);
   }
 
   std::vector<int> all_charts() const
@@ -194,11 +196,13 @@ public:
   /// blend; in others too if their blend is so large that they can do much about it.
   /// \param first, last  a range of views
   template <class View>
-  void mark_jointly(const View* first, const View* last, double error, double bound, std::vector<Mark>& marks) const
+  void mark_jointly(const View* first, const View* last, double error, double bound,
+                    std::vector<Mark>& marks) const
   {
     if(!(error > bound) || first == last)
       return;
-    const View* most = std::max_element(first, last, [](const View& a, const View& b) { return a.blend < b.blend; });
+    const View* most =
+      std::max_element(first, last, [](const View& a, const View& b) { return a.blend < b.blend; });
     for(const View* view = first; view != last; ++view)
       if(view == most || error * (std::min)(4 * view->blend * view->blend, 1.) > bound)
         mark(view->chart, view->uv, error, marks);
@@ -208,7 +212,8 @@ public:
   /// \return the charts that changed
   std::vector<int> refine(std::vector<Mark> marks, std::size_t largest_controls)
   {
-    std::stable_sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.error > b.error; });
+    std::stable_sort(marks.begin(), marks.end(),
+                     [](const Mark& a, const Mark& b) { return a.error > b.error; });
     std::size_t count = marks.size();
     std::vector<Cell_tree> trees = refined_trees(marks, count);
     while(count > 0 && number_of_functions(trees) > largest_controls) {
@@ -270,7 +275,10 @@ private:
   {
     double area = 0, vertices = 0;
     for(std::size_t s = 0; s < samples_.size(); ++s)
-      (samples_.owner[s] < 0 ? vertices : area) += samples_.owner[s] < 0 ? samples_.domain[s] : samples_.area[s];
+      if(samples_.owner[s] < 0)
+        vertices += samples_.domain[s];
+      else
+        area += samples_.area[s];
     const double charts = double(splines_.size());
     weight_.resize(samples_.size());
     joint_weight_.resize(samples_.size());

@@ -320,7 +320,8 @@ private:
   }
 
   template <int K>
-  static std::array<double, K> times_column(const double* m, const Leaf_basis& basis, const Leaf_basis::Row& column)
+  static std::array<double, K> times_column(const double* m, const Leaf_basis& basis,
+                                            const Leaf_basis::Row& column)
   {
     std::array<double, K> y{};
     if(column.local >= 0)
