@@ -149,7 +149,8 @@ public:
          << r.distance.max() << ',' << r.parametric.rms() << ',' << r.parametric.max() << ','
          << r.normal << ',' << r.wall << ',' << s.sampling << ',' << s.solving_alone << ','
          << s.solving_jointly << ',' << s.refining << ',' << s.measuring << ','
-         << s.closest_point << ',' << r.report.bytes.samples << ',' << r.report.bytes.equations << ',' << r.peak_bytes << std::endl;
+         << s.closest_point << ',' << r.report.bytes.samples << ',' << r.report.bytes.equations << ','
+         << r.peak_bytes << std::endl;
     std::cout << r.mesh << ", " << r.method << ' ' << r.tolerance << ": " << r.controls << " controls, rms "
               << r.distance.rms() << ", max " << r.distance.max() << ", " << r.wall << " s"
               << (r.reached ? "" : " (tolerance not reached)") << std::endl;
