@@ -49,12 +49,17 @@ if(PART STREQUAL good_input)
     holds(new/${mesh} ${fitted} samples.csv)
   endforeach()
 
+  run(0 "" ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/new/options --max-tolerance 0.05 --marking vertices
+    --economy --fairness 1e-9 --max-controls 3000 --correct-parameters --quiet)
+  holds(new/options ${fitted})
+
   file(READ ${WORK}/new/sphere/metrics.json metrics)
   foreach(path "input vertices" "input faces" "input genus" "seconds read" "seconds map" "seconds certify"
       "seconds fit" "seconds tessellate" "seconds write" "peak_memory_bytes" "map flipped" "map degree"
       "map angle" "map area" "map symmetric_dirichlet" "map l2_efficiency" "map min_area" "map chart_counts 5"
       "map stars_without_chart" "surface controls" "surface patches_per_chart 5" "surface rms_error"
-      "surface max_error" "surface closest_point_rms" "surface closest_point_max" "parameters tolerance"
+      "surface max_error" "surface charts 5 controls" "surface levels 0 controls" "surface bytes samples"
+      "surface normal_deviation" "surface closest_point_rms" "surface closest_point_max" "parameters tolerance"
       "version simple_manifolds" "version cgal")
     separate_arguments(keys UNIX_COMMAND "${path}")
     string(JSON value ERROR_VARIABLE error GET "${metrics}" ${keys})

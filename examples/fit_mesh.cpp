@@ -6,11 +6,13 @@
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/IO/surface_io.h>
 #include <CGAL/Simple_manifolds/IO/write_tessellation.h>
+#include <CGAL/Simple_manifolds/embedding/correct_parameters.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
 #include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -88,7 +90,8 @@ Json metrics_of_surface(const SM::Fit_report& report)
     metrics["patches_per_chart"].push_back(c.levels);
   }
   for (const SM::Fit_report::Level& l : report.levels)
-    metrics["levels"].push_back({{"controls", l.controls}, {"rms_error", l.rms_error}, {"max_error", l.max_error}});
+    metrics["levels"].push_back(
+      {{"controls", l.controls}, {"rms_error", l.rms_error}, {"max_error", l.max_error}});
   const SM::Fit_report::Seconds& t = report.seconds;
   metrics["seconds"] = {{"sampling", t.sampling}, {"solving_alone", t.solving_alone},
                         {"solving_jointly", t.solving_jointly}, {"refining", t.refining},
@@ -98,20 +101,30 @@ Json metrics_of_surface(const SM::Fit_report& report)
 }
 
 template <class Map, class Bump>
-int fit_and_write(const Command_line& options, const Fit_request& request, const Input& input, const Map& map,
-                  const Bump& bump, SM::Atomic_folder& folder, Progress& progress, Stopwatch& watch)
+int fit_and_write(const Command_line& options, const Fit_request& request, const Input& input,
+                  const Map& first_map, const Bump& bump, SM::Atomic_folder& folder, Progress& progress, Stopwatch& watch)
 {
+  SM::Fit_report report;
+  const auto fit = [&](const Map& map) {
+    return watch.time("fit", [&] {
+      return SM::fit_surface<CGAL::Parallel_if_available_tag>(
+        map, SM::parameters::rms_error(request.rms).max_error(request.maximum).bump(bump)
+               .spline_degree(request.degree).max_controls(std::size_t(request.controls))
+               .marking(request.marking).joint_solve(request.joint).fairness(request.fairness)
+               .fit_report(std::ref(report)).visitor(std::ref(progress)));
+    });
+  };
+  auto surface = fit(first_map);
+  std::optional<Map> corrected;
+  if (options.get<bool>("correct-parameters")) {
+    corrected.emplace(watch.time("correct", [&] { return SM::correct_parameters(first_map, surface); }));
+    surface = fit(*corrected);
+  }
+  const Map& map = corrected ? *corrected : first_map;
+
   Json metrics;
   metrics["input"] = metrics_of_input(input, map);
   metrics["map"] = metrics_of_map(map, watch);
-
-  SM::Fit_report report;
-  const auto surface = watch.time("fit", [&] {
-    return SM::fit_surface<CGAL::Parallel_if_available_tag>(
-      map, SM::parameters::rms_error(request.rms).max_error(request.maximum).spline_degree(request.degree)
-             .max_controls(std::size_t(request.controls)).marking(request.marking).joint_solve(request.joint)
-             .fairness(request.fairness).bump(bump).fit_report(std::ref(report)).visitor(std::ref(progress)));
-  });
   metrics["surface"] = metrics_of_surface(report);
   metrics["surface"]["smoothness"] = surface.smoothness();
 
@@ -124,7 +137,9 @@ int fit_and_write(const Command_line& options, const Fit_request& request, const
                            {"max_tolerance", request.maximum}, {"degree", request.degree},
                            {"max_controls", request.controls}, {"fairness", request.fairness},
                            {"marking", options.get<std::string>("marking")},
-                           {"economy", options.get<bool>("economy")}, {"bump", Bump::type}, {"bump_smoothness", request.smoothness},
+                           {"economy", options.get<bool>("economy")},
+                           {"correct_parameters", options.get<bool>("correct-parameters")},
+                           {"bump", Bump::type}, {"bump_smoothness", request.smoothness},
                            {"subdivisions", subdivisions}, {"samples", request.samples}};
   watch.time("tessellate", [&] {
     SM::write_tessellation(folder.file("surface.ply"), surface, map,
@@ -141,12 +156,16 @@ int fit_and_write(const Command_line& options, const Fit_request& request, const
   write_metrics(metrics_file, "fit_mesh", std::move(metrics), watch);
   folder.commit();
 
-  const std::string errors = "rms error " + shown(report.rms_error) + " (tolerance " + shown(request.rms)
-                           + "), max " + shown(report.max_error) + " (tolerance " + shown(request.maximum)
-                           + ") of the diagonal, " + std::to_string(report.controls) + " controls";
+  const bool only_vertices = request.marking == SM::Marking::VERTICES;
+  const std::string errors =
+    std::string(only_vertices ? "at vertices " : "") + "rms error "
+    + shown(only_vertices ? report.vertex_rms_error : report.rms_error) + " (tolerance " + shown(request.rms)
+    + "), max " + shown(only_vertices ? report.vertex_max_error : report.max_error) + " (tolerance "
+    + shown(request.maximum) + ") of the diagonal, " + std::to_string(report.controls) + " controls";
   if (report.has_more_controls_than_vertices() && !options.get<bool>("quiet"))
     std::cerr << "fit_mesh: " << report.controls << " controls for a mesh of " << report.vertices
-              << " vertices: the surface reproduces facets; a larger tolerance or --marking vertices needs fewer\n";
+              << " vertices: the surface reproduces facets; a larger tolerance"
+              << (only_vertices ? " needs fewer\n" : " or --marking vertices needs fewer\n");
   if (!options.get<bool>("quiet"))
     std::cout << summary(input, map) << "; " << errors << "; " << shown(watch.total()) << " s" << std::endl;
   if (report.tolerance_reached) return SUCCESS;
@@ -178,6 +197,8 @@ int main(int argc, char** argv)
     options.add("economy", po::bool_switch(), "fewer controls for the same largest error, more time");
     options.add("fairness", po::value<double>()->default_value(0),
                 "weight of the thin plate energy against noise; that of the mean squared error is 1");
+    options.add("correct-parameters", po::bool_switch(),
+                "move the vertices in the domain to where the surface is closest, and fit once more");
     options.add("samples", po::value<long>()->default_value(0),
                 "write this many random points of the surface");
     options.parse(argc, argv);

@@ -47,6 +47,8 @@
 #include <CGAL/Simple_manifolds/embedding/Spline_patch.h>
 #include <CGAL/Simple_manifolds/embedding/Surface_fitter.h>
 #include <CGAL/Simple_manifolds/embedding/closest_point.h>
+#include <CGAL/Simple_manifolds/embedding/correct_parameters.h>
+#include <CGAL/Simple_manifolds/embedding/fit_mesh_surface.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
 #include <CGAL/Simple_manifolds/embedding/measures.h>
 

@@ -2,12 +2,8 @@
 #include "embedding/Analytic_map.h"
 #include "embedding/octahedron.h"
 
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
-
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/generators.h>
 
 #include <Eigen/Geometry>
 
@@ -19,7 +15,6 @@
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace SM = CGAL::Simple_manifolds;
@@ -337,17 +332,6 @@ TEST_CASE("Fairness smooths noise away")
     return std::sqrt(sum);
   };
   CHECK(roughness(1e-6) < roughness(0) / 4);
-}
-
-TEST_CASE("A mesh can be fitted in one call")
-{
-  using Point = CGAL::Simple_cartesian<double>::Point_3;
-  CGAL::Surface_mesh<Point> mesh;
-  CGAL::make_icosahedron(mesh, Point(0, 0, 0), 1.);
-  SM::Fit_report report;
-  const auto any = SM::fit_surface(mesh, SM::parameters::rms_error(.02).fit_report(std::ref(report)));
-  CHECK(report.tolerance_reached);
-  CHECK(std::holds_alternative<SM::Manifold_surface<SM::Sphere_atlas>>(any));
 }
 
 TEST_CASE("Degree and bump are the user's choice")

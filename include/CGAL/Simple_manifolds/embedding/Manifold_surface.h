@@ -131,6 +131,13 @@ public:
     return Simple_manifolds::principal_curvatures(jet(p));
   }
 
+  /// The principal curvatures with their directions, in space and by the coordinates of the chart.
+  template <class Point>
+  Principal_directions principal_directions(const Point& p) const
+  {
+    return Simple_manifolds::principal_directions(jet(p));
+  }
+
   /// The mean curvature H = (k1 + k2) / 2.
   template <class Point>
   double mean_curvature(const Point& p) const { return Simple_manifolds::mean_curvature(jet(p)); }

@@ -16,12 +16,14 @@
 #include <CGAL/Simple_manifolds/embedding/internal/Hierarchical_fit.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -132,7 +134,8 @@ public:
     report_.max_tolerance = options_.max_error;
     visitor.start_phase("fit");
     done_ = 0;
-    Fit fit(options_.spline_degree, Atlas::number_of_charts, centre(), options_.fairness);
+    Fit fit(options_.spline_degree, Atlas::number_of_charts, centre(), options_.fairness,
+            std::is_convertible<ConcurrencyTag, Parallel_tag>::value);
     timed(report_.seconds.sampling, [&] { fit.add(sampler_.vertices(options_.vertex_weights)); });
     sample(fit);
     if(options_.refinement == Refinement::UNIFORM)
@@ -157,7 +160,7 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-  using Fit = internal::Hierarchical_fit<ConcurrencyTag>;
+  using Fit = internal::Hierarchical_fit;
   static constexpr bool has_single_chart = Atlas::number_of_charts == 1;
 
   static double seconds_since(Clock::time_point start)

@@ -12,8 +12,8 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/parallel_for.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
+#include <CGAL/Simple_manifolds/embedding/closest_point.h>
 #include <CGAL/Simple_manifolds/embedding/internal/Hierarchical_fit.h>
-#include <CGAL/Simple_manifolds/embedding/internal/closest_point.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

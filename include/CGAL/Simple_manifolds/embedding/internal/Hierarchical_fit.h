@@ -8,13 +8,10 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_HIERARCHICAL_FIT_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_HIERARCHICAL_FIT_H
 
-#include <CGAL/Simple_manifolds/correspondence/internal/parallel_for.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
 #include <CGAL/Simple_manifolds/embedding/internal/Chart_spline.h>
 #include <CGAL/Simple_manifolds/embedding/internal/Fit_samples.h>
 #include <CGAL/Simple_manifolds/embedding/internal/Normal_equations.h>
-
-#include <CGAL/tags.h>
 
 #include <Eigen/Core>
 
@@ -42,7 +39,6 @@ constexpr double bulk = 0.6;
 
 /// The splines of all charts and the samples that they are fitted to: what one round of a fit does with
 /// them. Nothing here knows the atlas.
-template <class ConcurrencyTag>
 class Hierarchical_fit {
 public:
   using Chart_cell = std::pair<int, Cell>;
@@ -53,8 +49,9 @@ public:
   static constexpr double vertices_weight = 0.3;  ///< of all vertices together; that of the cells is 1
   static constexpr int largest_level = 12;
 
-  Hierarchical_fit(int degree, int charts, const Eigen::Vector3d& centre, double fairness)
-    : degree_(degree), fairness_(fairness), splines_(charts, Chart_spline(degree, centre)) {}
+  Hierarchical_fit(int degree, int charts, const Eigen::Vector3d& centre, double fairness, bool is_parallel)
+    : degree_(degree), fairness_(fairness), is_parallel_(is_parallel),
+      splines_(charts, Chart_spline(degree, centre)) {}
 
   const std::vector<Chart_spline>& splines() const { return splines_; }
   const Fit_samples& samples() const { return samples_; }
@@ -109,16 +106,12 @@ public:
   /// Fits each of the charts to what it sees, with the weights (b_c + floor)^2.
   void solve_alone(const std::vector<int>& charts)
   {
+    const std::vector<double> none(samples_.size(), 0), own = own_weights(1);
     std::vector<std::size_t> equation_bytes(charts.size());
-    parallel_tasks<ConcurrencyTag>(int(charts.size()), [&](int k) {
+    run_tasks(is_parallel_, int(charts.size()), [&](int k) {
       const int c = charts[k];
-      Normal_equations<Sequential_tag> equations(splines_, {c});
-      equations.assemble(
-        samples_, [&](int s, std::size_t u, std::size_t) { return own_weight(s, u); },
-        [&](std::size_t s, std::size_t u) -> Eigen::Vector3d {
-          const double w = own_weight(s, u);
-          return w * (samples_.target[s] - value_[u]);
-        }, fairness_);
+      Normal_equations equations(splines_, {c}, false);
+      equations.assemble(samples_, none, own, value_, residual_, fairness_);
       const Eigen::MatrixX3d x = equations.solve(ridge);
       equation_bytes[k] = equations.bytes();
       splines_[c].add([&](int f) -> Eigen::Vector3d { return x.row(f).transpose(); });
@@ -131,17 +124,8 @@ public:
   /// Fits the blend of all charts, with a small share of what each chart errs alone.
   void solve_jointly()
   {
-    Normal_equations<ConcurrencyTag> equations(splines_, all_charts());
-    equations.assemble(
-      samples_,
-      [&](int s, std::size_t u, std::size_t v) {
-        const double w = joint_weight_[s] * samples_.views[u].blend * samples_.views[v].blend;
-        return u == v ? w + misfit_weight * own_weight(s, u) : w;
-      },
-      [&](std::size_t s, std::size_t u) -> Eigen::Vector3d {
-        return joint_weight_[s] * samples_.views[u].blend * residual_[s]
-             + misfit_weight * own_weight(int(s), u) * (samples_.target[s] - value_[u]);
-      }, fairness_);
+    Normal_equations equations(splines_, all_charts(), is_parallel_);
+    equations.assemble(samples_, joint_weight_, own_weights(misfit_weight), value_, residual_, fairness_);
     const Eigen::MatrixX3d x = equations.solve(ridge);
     bytes_.equations = (std::max)(bytes_.equations, equations.bytes());
     for(std::size_t c = 0; c < splines_.size(); ++c)
@@ -226,7 +210,7 @@ public:
         changed.push_back(int(c));
     if(changed.empty())
       return changed;
-    parallel_tasks<ConcurrencyTag>(int(changed.size()), [&](int k) {
+    run_tasks(is_parallel_, int(changed.size()), [&](int k) {
       splines_[changed[k]].refine(std::move(trees[changed[k]]));
     });
     samples_.keep_if([&](std::size_t s, std::size_t first) {
@@ -254,10 +238,18 @@ private:
   {
     return samples_.owner[s] < 0 || samples_.owner[s] == samples_.views[u].chart;
   }
-  double own_weight(std::size_t s, std::size_t u) const
+
+  // Of the misfits of single charts, per view.
+  std::vector<double> own_weights(double factor) const
   {
-    const double b = samples_.views[u].blend + floor;
-    return is_own(s, u) ? weight_[s] * b * b : 0.;
+    std::vector<double> weights(samples_.views.size(), 0);
+    for(std::size_t s = 0; s < samples_.size(); ++s)
+      for(std::size_t u = samples_.begin[s]; u < samples_.begin[s + 1]; ++u)
+        if(is_own(s, u)) {
+          const double b = samples_.views[u].blend + floor;
+          weights[u] = factor * weight_[s] * b * b;
+        }
+    return weights;
   }
 
   void descend()
@@ -303,8 +295,10 @@ private:
     value_.resize(samples_.views.size());
     residual_.resize(samples_.size());
     with_fit_degree(degree_, [&](auto d) {
-      parallel_for<ConcurrencyTag>(0, int(samples_.size()), [&](int from, int to) {
-        for(int s = from; s < to; ++s) {
+      constexpr int piece = 1024;
+      const int n = int(samples_.size());
+      run_tasks(is_parallel_, (n + piece - 1) / piece, [&](int p) {
+        for(int s = p * piece; s < n && s < (p + 1) * piece; ++s) {
           residual_[s] = samples_.target[s];
           for(std::size_t u = samples_.begin[s]; u < samples_.begin[s + 1]; ++u) {
             const Fit_samples::View& view = samples_.views[u];
@@ -363,6 +357,7 @@ private:
 
   int degree_;
   double fairness_;
+  bool is_parallel_;
   std::vector<Chart_spline> splines_;
   Fit_samples samples_;
   Fit_report::Bytes bytes_;

@@ -25,6 +25,16 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
+/// `parallel_tasks()` by a flag: what follows is compiled once, not once per tag.
+template <class F>
+void run_tasks(bool is_parallel, int count, const F& f)
+{
+  if(is_parallel)
+    parallel_tasks<Parallel_if_available_tag>(count, f);
+  else
+    parallel_tasks<Sequential_tag>(count, f);
+}
+
 /// The normal equations for the corrections of the splines of some charts.
 ///
 /// The matrix has a block per pair of charts (a,b): the sum over the samples that both see of
@@ -33,12 +43,13 @@ namespace internal {
 /// one K x K matrix collects the products of the leaves' local functions; each column of the block is
 /// then collected from the matrices of the leaves that its function reaches ("one owner per column"). All
 /// sums have a fixed order, whatever the number of threads.
-template <class ConcurrencyTag>
 class Normal_equations {
 public:
   /// \param charts  the charts that are solved for, increasing; the others keep their splines
-  Normal_equations(const std::vector<Chart_spline>& splines, const std::vector<int>& charts)
-    : splines_(splines), charts_(charts), offset_(splines.size(), -1), columns_(splines.size())
+  /// \param is_parallel  whether several threads may work
+  Normal_equations(const std::vector<Chart_spline>& splines, const std::vector<int>& charts, bool is_parallel)
+    : splines_(splines), charts_(charts), is_parallel_(is_parallel), offset_(splines.size(), -1),
+      columns_(splines.size())
   {
     for(const int c : charts) {
       offset_[c] = size_;
@@ -47,20 +58,22 @@ public:
     right_side_ = Eigen::MatrixX3d::Zero(size_, 3);
   }
 
-  /// Adds the samples' share.
-  /// \param pair_weight  (sample, view, view) -> the factor of f_a f_b^T, 0 for none
-  /// \param residual  (sample, view) -> the vector that multiplies f_a on the right hand side
-  template <class PairWeight, class Residual>
-  void assemble(const Fit_samples& samples, const PairWeight& pair_weight, const Residual& residual,
-                double fairness)
+  /// Adds the samples' share: joint_weight |E - M|^2 per sample, and own_weight |E_c - M|^2 per view.
+  /// \param joint_weight  per sample
+  /// \param own_weight    per view
+  /// \param value         per view: E_c
+  /// \param residual      per sample: M - E
+  void assemble(const Fit_samples& samples, const std::vector<double>& joint_weight,
+                const std::vector<double>& own_weight, const std::vector<Eigen::Vector3d>& value,
+                const std::vector<Eigen::Vector3d>& residual, double fairness)
   {
     with_fit_degree(splines_[charts_[0]].space().degree(), [&](auto d) {
       constexpr int D = decltype(d)::value;
       for(const int b : charts_) {
-        add_right_side<D>(b, samples, residual, fairness);
+        add_right_side<D>(b, samples, joint_weight, own_weight, value, residual, fairness);
         for(const int a : charts_)
           if(a >= b)
-            add_block<D>(a, b, samples, pair_weight, fairness);
+            add_block<D>(a, b, samples, joint_weight, own_weight, fairness);
       }
     });
   }
@@ -152,8 +165,10 @@ private:
     return t;
   }
 
-  template <int D, class Residual>
-  void add_right_side(int c, const Fit_samples& samples, const Residual& residual, double fairness)
+  template <int D>
+  void add_right_side(int c, const Fit_samples& samples, const std::vector<double>& joint_weight,
+                      const std::vector<double>& own_weight, const std::vector<Eigen::Vector3d>& value,
+                      const std::vector<Eigen::Vector3d>& residual, double fairness)
   {
     constexpr int K = (D + 1) * (D + 1);
     const Chart_spline& spline = splines_[c];
@@ -163,7 +178,8 @@ private:
         const Fit_samples::View& view = samples.views[v];
         if(view.chart != c)
           continue;
-        const Eigen::Vector3d r = residual(k, v);
+        const Eigen::Vector3d r = joint_weight[k] * view.blend * residual[k]
+                                + own_weight[v] * (samples.target[k] - value[v]);
         const auto f = local_values<D>(spline.tree(), view.cell, view.uv);
         for(int i = 0; i < K; ++i)
           local[std::size_t(view.cell) * K + i] += f[i] * r;
@@ -231,11 +247,12 @@ private:
       pairs.first_block[leaf + 1] += pairs.first_block[leaf];
   }
 
-  template <int D, class PairWeight>
-  static void sum_products(const Chart_spline& rows, const Chart_spline& columns, const Fit_samples& samples,
-                           const PairWeight& pair_weight, Leaf_pairs& pairs)
+  template <int D>
+  void sum_products(int a, int b, const Fit_samples& samples, const std::vector<double>& joint_weight,
+                    const std::vector<double>& own_weight, Leaf_pairs& pairs) const
   {
     constexpr int K = (D + 1) * (D + 1);
+    const Chart_spline &rows = splines_[a], &columns = splines_[b];
     const int leaves = columns.tree().size();
     pairs.leaf_a.assign(pairs.first_block[leaves], -1);
     pairs.blocks.assign(pairs.first_block[leaves] * K * K, 0);
@@ -248,7 +265,8 @@ private:
         pairs.leaf_a[block] = item.leaf_a;
         const std::size_t u = samples.begin[item.sample] + item.view_a;
         const std::size_t v = samples.begin[item.sample] + item.view_b;
-        const double w = pair_weight(item.sample, u, v);
+        const double w = joint_weight[item.sample] * samples.views[u].blend * samples.views[v].blend
+                       + (u == v ? own_weight[u] : 0);
         if(w == 0)
           continue;
         const auto f = local_values<D>(rows.tree(), item.leaf_a, samples.views[u].uv);
@@ -345,22 +363,23 @@ private:
     return x;
   }
 
-  template <int D, class PairWeight>
-  void add_block(int a, int b, const Fit_samples& samples, const PairWeight& pair_weight, double fairness)
+  template <int D>
+  void add_block(int a, int b, const Fit_samples& samples, const std::vector<double>& joint_weight,
+                 const std::vector<double>& own_weight, double fairness)
   {
     const Chart_spline& columns = splines_[b];
     Leaf_pairs pairs;
     sort_samples(a, b, samples, pairs);
     if(a != b && pairs.items.empty())
       return; // the charts do not meet
-    sum_products<D>(splines_[a], columns, samples, pair_weight, pairs);
+    sum_products<D>(a, b, samples, joint_weight, own_weight, pairs);
     if(a == b && fairness > 0)
       add_energy<D>(columns.tree(), fairness, pairs);
 
     const Reach reached = reach(columns);
     const int pieces = (columns.size() + piece - 1) / piece;
     std::vector<Columns> block(pieces);
-    parallel_tasks<ConcurrencyTag>(pieces, [&](int p) {
+    run_tasks(is_parallel_, pieces, [&](int p) {
       block[p] = collect<D>(a, b, pairs, reached, p * piece, (std::min)((p + 1) * piece, columns.size()));
     });
     for(const Columns& c : block)
@@ -372,9 +391,9 @@ private:
 
   // Calls f(k) for k = 0, ..., count-1, in parallel tasks.
   template <class F>
-  static void for_each_piece(int count, const F& f)
+  void for_each_piece(int count, const F& f) const
   {
-    parallel_tasks<ConcurrencyTag>((count + piece - 1) / piece, [&](int p) {
+    run_tasks(is_parallel_, (count + piece - 1) / piece, [&](int p) {
       for(int k = p * piece; k < count && k < (p + 1) * piece; ++k)
         f(k);
     });
@@ -430,7 +449,9 @@ private:
   static constexpr int piece = 128; // leaves or columns per task
 
   const std::vector<Chart_spline>& splines_;
-  std::vector<int> charts_, offset_;
+  std::vector<int> charts_;
+  bool is_parallel_;
+  std::vector<int> offset_;
   int size_ = 0;
   std::size_t bytes_ = 0, column_bytes_ = 0;
   Eigen::MatrixX3d right_side_;

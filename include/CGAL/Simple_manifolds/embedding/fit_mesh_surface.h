@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_FIT_MESH_SURFACE_H
+#define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_FIT_MESH_SURFACE_H
+
+#include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
+#include <CGAL/Simple_manifolds/embedding/fit_surface.h>
+
+#include <type_traits>
+#include <variant>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// A surface over whichever canonical surface.
+template <class Bump = Smoothstep_bump<2>>
+using Any_surface = std::variant<Manifold_surface<Plane_atlas, Hierarchical_embedding, Bump>,
+                                 Manifold_surface<Sphere_atlas, Hierarchical_embedding, Bump>,
+                                 Manifold_surface<Torus_atlas, Hierarchical_embedding, Bump>>;
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// Maps a mesh onto the canonical surface of its genus and fits a smooth surface to that map, in one call.
+/// The map is made with `map_options_for_fitting()` where the parameters do not say otherwise.
+///
+/// \param mesh  a model of `FaceListGraph`, as `map_to_canonical_surface()` takes it
+/// \param np    optional named parameters of `map_to_canonical_surface()` and of `fit_surface()` for maps
+/// \return an `Any_surface`, for `std::visit()`
+/// \throw Topology_error, Geometry_error, Numeric_error  as these two functions
+template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!internal::is_map<FaceListGraph>, int> = 0>
+auto fit_surface(const FaceListGraph& mesh, const NamedParameters& np = parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using Bump = std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<
+    internal_np::bump_t, NamedParameters, Smoothstep_bump<2>>::type>;
+  const Map_options o = map_options_for_fitting();
+  const Any_map any_map = map_to_canonical_surface<ConcurrencyTag>(mesh,
+    parameters::energy(choose_parameter(get_parameter(np, internal_np::energy), o.energy),
+      parameters::energy_lambda(choose_parameter(get_parameter(np, internal_np::energy_lambda), o.lambda),
+        parameters::area_floor(choose_parameter(get_parameter(np, internal_np::area_floor), o.area_floor),
+          np))));
+  return std::visit([&np](const auto& map) {
+    return Any_surface<Bump>(fit_surface<ConcurrencyTag>(map, np));
+  }, any_map);
+}
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_EMBEDDING_FIT_MESH_SURFACE_H
