@@ -89,7 +89,7 @@ auto fit_surface(const Map& map, const NamedParameters& np = parameters::default
   const std::vector<double> no_weights;
   const auto& weights =
     choose_parameter(get_parameter_reference(np, internal_np::vertex_weights), no_weights);
-  options.vertex_weights.assign(std::begin(weights), std::end(weights));
+  options.vertex_weights = std::vector<double>(std::begin(weights), std::end(weights));
   Default_visitor default_visitor;
   auto& visitor = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
   Fit_report unused;
