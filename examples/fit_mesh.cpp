@@ -191,7 +191,7 @@ int main(int argc, char** argv)
                 "largest error allowed, likewise (default: 10 times that)");
     options.add("degree", po::value<int>()->default_value(3), "degree of the splines, 2 to 5");
     options.add("smoothness", po::value<int>()->default_value(2), "smoothness of the blend, 1 to 3");
-    options.add("max-controls", po::value<long>()->default_value(1000000), "limit of the number of controls");
+    options.add("max-controls", po::value<long>()->default_value(200000), "limit of the number of controls");
     options.add("marking", po::value<std::string>()->default_value("all"),
                 "what has to be within the tolerance: all (the whole mesh) or vertices (fewer controls)");
     options.add("economy", po::bool_switch(), "fewer controls for the same largest error, more time");

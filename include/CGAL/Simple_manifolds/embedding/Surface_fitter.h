@@ -65,7 +65,7 @@ struct Fit_options {
   double rms_error = 2e-3;            ///< tolerance of the root mean square, fraction of the diagonal
   double max_error = 2e-2;            ///< tolerance of the maximum, fraction of the diagonal
   int spline_degree = 3;              ///< 2 to 5
-  std::size_t max_controls = 1000000; ///< limit of the controls of all charts together
+  std::size_t max_controls = 200000;  ///< limit of the controls of all charts together
   Refinement refinement = Refinement::ADAPTIVE;
   Joint_solve joint_solve = Joint_solve::AT_END;
   Marking marking = Marking::ALL_POINTS;
@@ -134,6 +134,7 @@ public:
     report_.max_tolerance = options_.max_error;
     visitor.start_phase("fit");
     done_ = 0;
+    rounds_ = 0;
     Fit fit(options_.spline_degree, Atlas::number_of_charts, centre(), options_.fairness,
             std::is_convertible<ConcurrencyTag, Parallel_tag>::value);
     timed(report_.seconds.sampling, [&] { fit.add(sampler_.vertices(options_.vertex_weights)); });
@@ -193,6 +194,9 @@ private:
     return (has_single_chart || options_.joint_solve == Joint_solve::NEVER ? 1 : 2)
          * (std::min)(options_.max_error, 5 * options_.rms_error) * map_.diagonal();
   }
+
+  // After many rounds nothing waits any more: then each of them adds many controls, and there are few left.
+  double bulk() { return ++rounds_ <= 40 ? internal::bulk : 0; }
 
   void sample(Fit& fit)
   {
@@ -300,7 +304,7 @@ private:
     const std::size_t limit = is_last ? options_.max_controls : options_.max_controls / 2;
     do {
       timed(report_.seconds.solving_alone, [&] { fit.solve_alone(changed); });
-      marks = fit.marks_alone(changed, bound(), only_vertices());
+      marks = fit.marks_alone(changed, bound(), bulk(), only_vertices());
       double largest = bound();
       for(const internal::Mark& m : marks)
         largest = (std::max)(largest, m.error);
@@ -313,7 +317,7 @@ private:
   {
     std::vector<internal::Mark> marks;
     timed(report_.seconds.measuring, [&] {
-      const double limit = errors_.bound(options_.rms_error, options_.max_error);
+      const double limit = errors_.bound(options_.rms_error, options_.max_error, bulk());
       marks = fit.marks_jointly(limit * map_.diagonal(), only_vertices());
       if(!only_vertices()) // the vertices are samples
         errors_.add_marks(fit, limit, marks);
@@ -347,6 +351,7 @@ private:
   Sampler sampler_;
   internal::Error_measurement<Map, Bump> errors_;
   Fit_report report_;
+  int rounds_ = 0;  // of refinement
   double done_ = 0; // share of the running phase
 };
 

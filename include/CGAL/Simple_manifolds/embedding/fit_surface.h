@@ -52,7 +52,7 @@ constexpr bool is_map<T, std::void_t<typename T::Domain_point, typename T::Locat
 ///   - `spline_degree` (int in 2..5, 3): the degree d; the surface has min(k, d-1) continuous
 ///     derivatives, k the smoothness of the bump
 ///   - `bump` (a model of `BumpFunction`, `Smoothstep_bump<2>`)
-///   - `max_controls` (std::size_t, 1000000): limit of the controls of all charts together
+///   - `max_controls` (std::size_t, 200000): limit of the controls of all charts together
 ///   - `refinement` (`Refinement`, `ADAPTIVE`): where controls are added
 ///   - `joint_solve` (`Joint_solve`, `AT_END`): when the charts are fitted together
 ///   - `marking` (`Marking`, `ALL_POINTS`): which points must be brought within the tolerance

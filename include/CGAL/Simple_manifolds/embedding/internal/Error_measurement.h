@@ -98,7 +98,7 @@ public:
   /// Above which error the surface has to be refined: a large part of the maximum, as long as that is too
   /// large; then so low that the points above it have the share of the sum of squares that has to go, so
   /// that the root mean square becomes small enough (Doerfler 1996).
-  double bound(double rms_tolerance, double max_tolerance) const
+  double bound(double rms_tolerance, double max_tolerance, double bulk) const
   {
     if(max_ > max_tolerance)
       return (std::max)(max_tolerance, bulk * max_);

@@ -141,7 +141,8 @@ public:
   /// The leaves of the charts where b_c |M - E_c| exceeds the bound, and is a large part of its largest
   /// value.
   /// \param only_vertices  whether the samples of the cells are passed over
-  std::vector<Mark> marks_alone(const std::vector<int>& charts, double bound, bool only_vertices) const
+  std::vector<Mark> marks_alone(const std::vector<int>& charts, double bound, double bulk,
+                                bool only_vertices) const
   {
     std::vector<char> is_wanted(splines_.size(), 0);
     for(const int c : charts)
@@ -158,7 +159,7 @@ public:
         if(error > bound)
           mark(view.chart, view.uv, error, marks);
       }
-    const auto can_wait = [largest](const Mark& m) { return m.error < bulk * largest; };
+    const auto can_wait = [=](const Mark& m) { return m.error < bulk * largest; };
     marks.erase(std::remove_if(marks.begin(), marks.end(), can_wait), marks.end());
     return marks;
   }
@@ -198,11 +199,17 @@ public:
   {
     std::stable_sort(marks.begin(), marks.end(),
                      [](const Mark& a, const Mark& b) { return a.error > b.error; });
-    std::size_t count = marks.size();
-    std::vector<Cell_tree> trees = refined_trees(marks, count);
-    while(count > 0 && number_of_functions(trees) > largest_controls) {
-      count /= 2;
-      trees = refined_trees(marks, count);
+    if(largest_controls <= exhausted_)
+      return {};
+    std::vector<Cell_tree> trees = refined_trees(marks, marks.size());
+    if(number_of_functions(trees) > largest_controls) { // as many marks as fit in, once
+      std::size_t fits = 0, too_many = marks.size();
+      while(fits + 1 < too_many) {
+        const std::size_t count = (fits + too_many) / 2;
+        (number_of_functions(refined_trees(marks, count)) > largest_controls ? too_many : fits) = count;
+      }
+      trees = refined_trees(marks, fits);
+      exhausted_ = largest_controls;
     }
     std::vector<int> changed;
     for(std::size_t c = 0; c < trees.size(); ++c)
@@ -361,7 +368,8 @@ private:
   std::vector<Chart_spline> splines_;
   Fit_samples samples_;
   Fit_report::Bytes bytes_;
-  std::vector<int> seen_; // cells of each tree that have had their samples
+  std::size_t exhausted_ = 0; // the limit that was reached
+  std::vector<int> seen_;     // cells of each tree that have had their samples
   std::vector<double> weight_, joint_weight_;
   std::vector<Eigen::Vector3d> value_;    // E_c at the views
   std::vector<Eigen::Vector3d> residual_; // M - E at the samples
