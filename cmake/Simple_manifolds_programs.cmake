@@ -34,6 +34,7 @@ endforeach()
 target_compile_definitions(simple_manifolds_settings INTERFACE
   CGAL_DATA_DIR="${SIMPLE_MANIFOLDS_CGAL_DATA}"
   SIMPLE_MANIFOLDS_CGAL_DATA="${SIMPLE_MANIFOLDS_CGAL_DATA}"
+  SIMPLE_MANIFOLDS_DATA="${PROJECT_SOURCE_DIR}/data"
   SIMPLE_MANIFOLDS_VERSION="${PROJECT_VERSION}")
 if(NOT MSVC)
   # Fused multiply-add would make results depend on the processor.
