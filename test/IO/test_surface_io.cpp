@@ -3,6 +3,7 @@
 #include "temporary_folder.h"
 
 #include <CGAL/Simple_manifolds/IO/surface_io.h>
+#include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
 
 #include <cmath>
 
@@ -120,6 +121,19 @@ TEMPLATE_TEST_CASE("hierarchical surfaces read back bit for bit", "", SM::Plane_
   CHECK(folder.read("again.json") == folder.read("s.json"));
   CHECK(std::holds_alternative<Surface>(SM::read_any_surface(file)));
 
+  // the same in binary, which says the same everywhere
+  SM::write_surface(folder("s.cbor"), surface);
+  CHECK(folder.read("s.cbor").size() < folder.read("s.json").size());
+  const Surface binary = SM::read_surface<Surface>(folder("s.cbor"));
+  SM::write_surface(again, binary);
+  CHECK(folder.read("again.json") == folder.read("s.json"));
+  int different = 0;
+  for (const auto& p : SM::random_domain_points<TestType>(10000)) {
+    const SM::Jet a = surface.jet(p), b = binary.jet(p);
+    different += a.value != b.value || a.u != b.u || a.v != b.v || a.uu != b.uu || a.uv != b.uv || a.vv != b.vv;
+  }
+  CHECK(different == 0);
+
   // the same function as a stack of patches
   using Stack = SM::Manifold_surface<TestType, SM::Patch_stack_embedding>;
   const Stack stack = SM::read_surface<Stack>(file);
@@ -235,4 +249,40 @@ TEST_CASE("damaged files are refused with the place of the damage")
   nlohmann::json j = good;
   j.erase("bump");
   CHECK_THAT(message(j.dump()), ContainsSubstring("\"bump\" is missing"));
+}
+
+TEST_CASE("damaged CBOR is refused, whatever the damage")
+{
+  const Temporary_folder folder;
+  SM::write_surface(folder("good.cbor"), some_surface<SM::Plane_atlas>());
+  const std::string good = folder.read("good.cbor");
+  const auto message = [&](const std::string& bytes) {
+    const std::string file = folder.write("bad.cbor", bytes);
+    try {
+      SM::read_surface<Plane>(file);
+    } catch (const SM::IO_error& e) {
+      CHECK(e.code() == Error_code::syntax_error);
+      return std::string(e.what());
+    }
+    return std::string("accepted");
+  };
+  using Catch::Matchers::ContainsSubstring;
+  CHECK(message(good) == "accepted");
+  int accepted = 0;
+  for (std::size_t n = 0; n < good.size(); n += n < 300 ? 1 : 37) accepted += message(good.substr(0, n)) == "accepted";
+  CHECK(accepted == 0);
+  for (std::size_t k = 0; k < good.size(); k += 3) { // what is left may be a surface: it must not crash
+    std::string changed = good;
+    changed[k] = char(changed[k] ^ (1 << k % 8));
+    message(changed);
+  }
+  const std::string key = "\xa1\x61x"; // an object with the key x
+  CHECK_THAT(message(good + "x"), ContainsSubstring("behind the end"));
+  CHECK_THAT(message(key + std::string(1000000, '\x81')), ContainsSubstring("too deeply"));
+  CHECK_THAT(message(key + std::string(1000000, '\x7f')), ContainsSubstring("byte 4: an item without a length"));
+  CHECK_THAT(message(key + "\xc1\x01"), ContainsSubstring("a tag"));
+  CHECK_THAT(message(key + "\x9b\x7f\xff\xff\xff\xff\xff\xff\xff"), ContainsSubstring("announced"));
+  CHECK_THAT(message(key + "\x7b\x7f\xff\xff\xff\xff\xff\xff\xff"), ContainsSubstring("too early"));
+  CHECK_THAT(message("\xa0"), ContainsSubstring("no surface"));
+  CHECK_THAT(message(key + "\xff"), ContainsSubstring("without a length"));
 }

@@ -13,6 +13,7 @@
 #include <CGAL/Simple_manifolds/IO/internal/Embedding_io.h>
 #include <CGAL/Simple_manifolds/IO/internal/Json_field.h>
 #include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
+#include <CGAL/Simple_manifolds/IO/internal/parse_document.h>
 #include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
 #include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
@@ -25,6 +26,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <variant>
@@ -87,9 +89,10 @@ Surface surface_of_json(const Json_field& j)
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// Writes a surface as JSON, version 1: the atlas, the bump, the degree, and per chart its patches with
-/// their coefficients; of a `Hierarchical_embedding` one patch per level. Numbers have as many digits as
-/// they need to be read back bit for bit.
+/// Writes a surface, version 1: the atlas, the bump, the degree, and per chart its patches with their
+/// coefficients; of a `Hierarchical_embedding` one patch per level. As JSON, where numbers have as many
+/// digits as they need to be read back bit for bit; as CBOR (RFC 8949), the same document in binary, if
+/// the name of the file ends in `.cbor`.
 ///
 /// \tparam ChartEmbedding  `Hierarchical_embedding` or `Patch_stack_embedding`
 /// \pre all splines have one degree, and finite coefficients
@@ -115,23 +118,26 @@ void write_surface(const std::string& file, const Manifold_surface<Atlas, ChartE
     j["charts"].push_back({{"patches", std::move(patches)}});
   }
   Atomic_file output(file);
-  output.stream() << j << '\n';
+  if (std::filesystem::path(file).extension() == ".cbor")
+    nlohmann::ordered_json::to_cbor(j, output.stream());
+  else
+    output.stream() << j << '\n';
   output.commit();
 }
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// Says what a surface file holds, so that the type to read it with can be chosen.
+/// Says what a surface file, JSON or CBOR, holds, so that the type to read it with can be chosen.
 /// \throw IO_error when the file is missing or no surface
 inline Surface_header read_surface_header(const std::string& file)
 {
-  const nlohmann::json j = internal::parse_json(file, internal::file_contents(file));
+  const nlohmann::json j = internal::parse_document(file, internal::file_contents(file));
   return internal::header_of_json(internal::Json_field(file, j));
 }
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// Reads a surface of a known type.
+/// Reads a surface of a known type, from JSON or CBOR.
 /// \tparam Surface  a `Manifold_surface` with `Hierarchical_embedding`, which takes the files whose patches
 ///                  are grids of the whole unit square, each 1, 2, 4, ... times as fine as the coarsest, or
 ///                  with `Patch_stack_embedding`, which takes all files
@@ -139,7 +145,7 @@ inline Surface_header read_surface_header(const std::string& file)
 template <class Surface>
 Surface read_surface(const std::string& file)
 {
-  const nlohmann::json j = internal::parse_json(file, internal::file_contents(file));
+  const nlohmann::json j = internal::parse_document(file, internal::file_contents(file));
   return internal::surface_of_json<Surface>(internal::Json_field(file, j));
 }
 
@@ -157,7 +163,7 @@ auto read_any_surface(const std::string& file)
   using Sphere = Manifold_surface<Sphere_atlas, ChartEmbedding, Bump>;
   using Torus = Manifold_surface<Torus_atlas, ChartEmbedding, Bump>;
   using Any = std::variant<Plane, Sphere, Torus>;
-  const nlohmann::json j = internal::parse_json(file, internal::file_contents(file));
+  const nlohmann::json j = internal::parse_document(file, internal::file_contents(file));
   const internal::Json_field root(file, j);
   const std::string atlas = internal::header_of_json(root).atlas;
   if (atlas == Plane_atlas::name) return Any(internal::surface_of_json<Plane>(root));

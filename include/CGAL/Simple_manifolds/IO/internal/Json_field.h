@@ -12,8 +12,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <string>
+#include <utility>
 
 namespace CGAL {
 namespace Simple_manifolds {
@@ -84,19 +84,6 @@ private:
   const nlohmann::json& value_;
   std::string path_;
 };
-
-inline nlohmann::json parse_json(const std::string& file, const std::string& bytes)
-{
-  try {
-    return nlohmann::json::parse(bytes);
-  } catch (const nlohmann::json::parse_error& e) {
-    const auto end = bytes.begin() + std::ptrdiff_t(std::min(e.byte, bytes.size()));
-    throw IO_error(Error_code::syntax_error, file, "no valid JSON",
-                   1 + std::size_t(std::count(bytes.begin(), end, '\n')));
-  } catch (const nlohmann::json::exception&) {
-    throw IO_error(Error_code::syntax_error, file, "no valid JSON: a number is out of range");
-  }
-}
 
 } // namespace internal
 } // namespace Simple_manifolds

@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_PARSE_DOCUMENT_H
+#define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_PARSE_DOCUMENT_H
+
+#include <CGAL/Simple_manifolds/Error.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+constexpr std::size_t deepest_document = 16; // levels of arrays and objects; a surface has 6
+
+// Refuses what would exhaust the stack of the library's recursive reader of CBOR: deep nesting, and all items
+// without a length, none of which is in the files that are written here. Nothing is stored.
+class Cbor_structure {
+public:
+  Cbor_structure(const std::string& file, const std::string& bytes) : file_(file), bytes_(bytes) {}
+
+  void check()
+  {
+    do {
+      if (depth_ > 0) --left_[depth_];
+      read_item();
+      while (depth_ > 0 && left_[depth_] == 0) --depth_;
+    } while (depth_ > 0);
+    if (at_ != bytes_.size()) fail("there are bytes behind the end");
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& what) const
+  {
+    throw IO_error(Error_code::syntax_error, file_, "no valid CBOR, byte " + std::to_string(at_) + ": " + what);
+  }
+
+  void skip(std::uint64_t n)
+  {
+    if (n > bytes_.size() - at_) fail("the data end too early");
+    at_ += std::size_t(n);
+  }
+
+  void read_item()
+  {
+    skip(1);
+    const unsigned head = static_cast<unsigned char>(bytes_[at_ - 1]), kind = head >> 5, info = head & 31;
+    std::uint64_t value = info;
+    if (info > 27) fail("an item without a length");
+    if (info >= 24) {
+      const std::size_t n = std::size_t(1) << (info - 24);
+      skip(n);
+      value = 0;
+      for (std::size_t k = at_ - n; k < at_; ++k) value = value << 8 | static_cast<unsigned char>(bytes_[k]);
+    }
+    switch (kind) {
+      case 2: case 3: skip(value); break;          // bytes, text
+      case 4: descend(value, 1); break;            // array
+      case 5: descend(value, 2); break;            // object
+      case 6: fail("a tag");
+      default: break;                              // a number, or a simple value
+    }
+  }
+
+  void descend(std::uint64_t count, std::uint64_t items_each)
+  {
+    if (count > bytes_.size()) fail("more items are announced than bytes follow");
+    if (count == 0) return;
+    if (++depth_ == left_.size()) fail("the items are nested too deeply");
+    left_[depth_] = count * items_each;
+  }
+
+  const std::string& file_;
+  const std::string& bytes_;
+  std::size_t at_ = 0;
+  std::array<std::uint64_t, deepest_document + 1> left_{}; // items to come, per level
+  std::size_t depth_ = 0;
+};
+
+inline bool is_cbor_object(const std::string& bytes)
+{
+  return !bytes.empty() && static_cast<unsigned char>(bytes[0]) >> 5 == 5;
+}
+
+// Reads JSON, or CBOR where the first byte begins an object of CBOR: no text of JSON begins with it.
+inline nlohmann::json parse_document(const std::string& file, const std::string& bytes)
+{
+  const bool is_cbor = is_cbor_object(bytes);
+  try {
+    if (is_cbor) {
+      Cbor_structure(file, bytes).check();
+      return nlohmann::json::from_cbor(bytes);
+    }
+    return nlohmann::json::parse(bytes);
+  } catch (const nlohmann::json::parse_error& e) {
+    if (is_cbor)
+      throw IO_error(Error_code::syntax_error, file, "no valid CBOR, byte " + std::to_string(e.byte));
+    const auto end = bytes.begin() + std::ptrdiff_t(std::min(e.byte, bytes.size()));
+    throw IO_error(Error_code::syntax_error, file, "no valid JSON",
+                   1 + std::size_t(std::count(bytes.begin(), end, '\n')));
+  } catch (const nlohmann::json::exception&) {
+    throw IO_error(Error_code::syntax_error, file, "no valid JSON: a number is out of range");
+  }
+}
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_PARSE_DOCUMENT_H
