@@ -2,6 +2,7 @@
 #
 # Needed:   CGAL >= 5.5, Eigen 3.4 or later, Boost.
 # Optional: nlohmann_json  -> CGAL::Simple_manifolds_IO       (files of surfaces and metrics)
+#           libpng         -> CGAL::Simple_manifolds_PNG      (images of textures)
 #           CHOLMOD        -> CGAL::Simple_manifolds_CHOLMOD  (faster sparse least squares)
 #           oneTBB         -> CGAL::TBB_support               (CGAL::Parallel_tag)
 
@@ -41,6 +42,13 @@ if(nlohmann_json_FOUND AND NOT TARGET CGAL::Simple_manifolds_IO)
   add_library(CGAL::Simple_manifolds_IO INTERFACE IMPORTED GLOBAL)
   set_target_properties(CGAL::Simple_manifolds_IO PROPERTIES
     INTERFACE_LINK_LIBRARIES "CGAL::Simple_manifolds;nlohmann_json::nlohmann_json")
+endif()
+
+find_package(PNG QUIET)
+if(PNG_FOUND AND NOT TARGET CGAL::Simple_manifolds_PNG)
+  add_library(CGAL::Simple_manifolds_PNG INTERFACE IMPORTED GLOBAL)
+  set_target_properties(CGAL::Simple_manifolds_PNG PROPERTIES
+    INTERFACE_LINK_LIBRARIES "CGAL::Simple_manifolds;PNG::PNG")
 endif()
 
 find_path(SIMPLE_MANIFOLDS_CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)

@@ -1,0 +1,222 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_IO_CHARTED_MESH_H
+#define CGAL_SIMPLE_MANIFOLDS_IO_CHARTED_MESH_H
+
+#include <CGAL/Simple_manifolds/atlas/Chart_point.h>
+#include <CGAL/Simple_manifolds/atlas/Jet.h>
+#include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
+#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
+#include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
+#include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
+#include <CGAL/Simple_manifolds/parameters.h>
+#include <CGAL/Simple_manifolds/tessellation/tessellate.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// A triangle mesh with everything that a file can hold of it: what `write_ply()`, `write_obj()`,
+/// `write_gltf()` and `write_vtp()` write. Functions make it from a tessellation (`charted_tessellation()`)
+/// or from the mesh of a map (`charted_mesh()`); all members may be changed, and fields be added.
+struct Charted_mesh {
+  /// One number per vertex.
+  struct Field {
+    std::string name; ///< one word
+    std::vector<double> values;
+  };
+
+  std::string kind;                       ///< of the mesh, for comments in files
+  std::string atlas;                      ///< the name of the atlas
+  std::vector<Eigen::Vector3d> points;    ///< per vertex
+  std::vector<Eigen::Vector3d> normals;   ///< per vertex, or none
+  std::vector<Chart_point> chart_points;  ///< per vertex the point in one chart
+  std::vector<Field> fields;              ///< further values per vertex
+  std::vector<Triangle> triangles;        ///< positions in `points`
+  /// Per triangle a chart that contains it, or -1 where none does.
+  std::vector<int> charts;
+  /// Per triangle and corner the coordinates in that chart; zero where there is none.
+  std::vector<std::array<Eigen::Vector2d, 3>> coordinates;
+  /// Per chart the contents of a PNG file, as `png_images()` makes them; or none.
+  std::vector<std::string> images;
+};
+
+namespace internal {
+
+template <class Atlas>
+void set_domain_points(Charted_mesh& mesh, const Atlas& atlas,
+                       const std::vector<typename Atlas::Domain_point>& domain_points)
+{
+  mesh.atlas = Atlas::name;
+  constexpr int dimension = Atlas::Domain_point::RowsAtCompileTime;
+  for (int k = 0; k < dimension; ++k) {
+    mesh.fields.push_back({std::string("domain_") + (dimension == 3 ? "xyz" : "uv")[k], {}});
+    for (const auto& p : domain_points) mesh.fields.back().values.push_back(p[k]);
+  }
+  for (const Triangle& t : mesh.triangles) {
+    const int c = default_chart(atlas, domain_points[t[0]], domain_points[t[1]], domain_points[t[2]]);
+    mesh.charts.push_back(c);
+    mesh.coordinates.emplace_back();
+    for (int k = 0; k < 3; ++k)
+      mesh.coordinates.back()[k]
+        = c < 0 ? Eigen::Vector2d(0, 0) : atlas.coordinates(c, domain_points[t[k]]);
+  }
+}
+
+template <class Surface, class Triangulate>
+Charted_mesh charted_tessellation(const Surface& surface,
+                                  const std::vector<typename Surface::Domain_point>& domain_points,
+                                  std::vector<Chart_point> chart_points, const Triangulate& triangulate)
+{
+  Charted_mesh mesh;
+  mesh.kind = "surface tessellation";
+  std::vector<Jet> jets;
+  surface.jets(chart_points, std::back_inserter(jets));
+  mesh.fields = {{"mean_curvature", {}}, {"gaussian_curvature", {}}};
+  for (const Jet& e : jets) {
+    mesh.points.push_back(e.value);
+    mesh.normals.push_back(normal(e));
+    mesh.fields[0].values.push_back(mean_curvature(e));
+    mesh.fields[1].values.push_back(gaussian_curvature(e));
+  }
+  mesh.chart_points = std::move(chart_points);
+  mesh.triangles = triangulate(mesh.points);
+  set_domain_points(mesh, surface.atlas(), domain_points);
+  return mesh;
+}
+
+template <class Surface>
+Charted_mesh charted_tessellation(const Surface& surface, const Tile_grid<typename Surface::Atlas>& grid)
+{
+  return charted_tessellation(surface, grid.domain_points(), grid.chart_points(),
+                              [&](const auto& points) { return triangulate(grid, points); });
+}
+
+// |E(p) - M(p)| / diagonal
+template <class Surface, class Map>
+Charted_mesh::Field error_field(const Surface& surface, const Map& map,
+                                const std::vector<typename Surface::Domain_point>& domain_points)
+{
+  std::vector<typename Map::Location> locations;
+  map.to_mesh(domain_points, std::back_inserter(locations));
+  std::vector<Eigen::Vector3d> points;
+  surface.points(domain_points, std::back_inserter(points));
+  Charted_mesh::Field field{"error", {}};
+  for (std::size_t i = 0; i < points.size(); ++i)
+    field.values.push_back((points[i] - map.position(locations[i])).norm() / map.diagonal());
+  return field;
+}
+
+} // namespace internal
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// A tessellation of a surface, as `tessellate()` makes it, with the exact normals, and with the fields
+/// `mean_curvature`, `gaussian_curvature` and the domain point: `domain_x domain_y domain_z` (sphere) or
+/// `domain_u domain_v`. The chart of a triangle is that of its tile.
+///
+/// \param np  `subdivisions` (cells per side of a tile; by default as many as make about 6000 cells)
+template <class Surface, class NamedParameters = parameters::Default_named_parameters>
+Charted_mesh charted_tessellation(const Surface& surface,
+                                  const NamedParameters& np = parameters::default_values())
+{
+  return internal::charted_tessellation(surface, internal::tile_grid(surface, np));
+}
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// The same with one more field, `error`: the distance |E(p) - M(p)| of the surface from the mesh that it
+/// was fitted to, as a fraction of the diagonal.
+/// \param map  a model of `ManifoldMap` with the range version of `to_mesh()`
+template <class Surface, class Map, class NamedParameters>
+Charted_mesh charted_tessellation(const Surface& surface, const Map& map, const NamedParameters& np)
+{
+  const auto grid = internal::tile_grid(surface, np);
+  Charted_mesh mesh = internal::charted_tessellation(surface, grid);
+  mesh.fields.push_back(internal::error_field(surface, map, grid.domain_points()));
+  return mesh;
+}
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// A tessellation over any triangulation of the canonical surface.
+/// \param domain_points  the vertices
+/// \param triangles      positions in `domain_points`
+template <class Surface>
+Charted_mesh charted_tessellation(const Surface& surface,
+                                  const std::vector<typename Surface::Domain_point>& domain_points,
+                                  const std::vector<Triangle>& triangles)
+{
+  std::vector<Chart_point> chart_points;
+  for (const auto& p : domain_points) chart_points.push_back(surface.best_chart_point(p));
+  return internal::charted_tessellation(surface, domain_points, std::move(chart_points),
+                                        [&](const auto&) { return triangles; });
+}
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// The mesh of a map, without the virtual faces that close its borders, and with the fields of the domain
+/// point. Vertices and faces keep their order. It has no normals: programs then show its facets.
+template <class Atlas>
+Charted_mesh charted_mesh(const Manifold_map<Atlas>& map)
+{
+  Charted_mesh mesh;
+  mesh.kind = "mesh with charts";
+  std::vector<typename Atlas::Domain_point> domain_points;
+  std::vector<int> index(map.number_of_vertices(), -1);
+  for (std::size_t v = 0; v < map.number_of_vertices(); ++v) {
+    if (map.is_virtual_vertex(v)) continue;
+    index[v] = int(mesh.points.size());
+    mesh.points.push_back(map.point(v));
+    domain_points.push_back(map.domain_point(v));
+    const int c = map.atlas().best_chart(map.domain_point(v));
+    mesh.chart_points.push_back({c, map.atlas().coordinates(c, map.domain_point(v))});
+  }
+  for (std::size_t f = 0; f < map.number_of_faces() && !map.is_virtual(f); ++f) {
+    const Triangle& t = map.face(f);
+    mesh.triangles.push_back({index[t[0]], index[t[1]], index[t[2]]});
+  }
+  internal::set_domain_points(mesh, map.atlas(), domain_points);
+  return mesh;
+}
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// The same with one more field, `error`: the distance |E(p) - M(p)| of a surface from each vertex, as a
+/// fraction of the diagonal.
+template <class Atlas, class ChartEmbedding, class Bump>
+Charted_mesh charted_mesh(const Manifold_map<Atlas>& map,
+                          const Manifold_surface<Atlas, ChartEmbedding, Bump>& surface)
+{
+  Charted_mesh mesh = charted_mesh(map);
+  std::vector<typename Atlas::Domain_point> domain_points;
+  for (std::size_t v = 0; v < map.number_of_vertices(); ++v)
+    if (!map.is_virtual_vertex(v)) domain_points.push_back(map.domain_point(v));
+  mesh.fields.push_back(internal::error_field(surface, map, domain_points));
+  return mesh;
+}
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_IO_CHARTED_MESH_H

@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_IO_WRITE_OBJ_H
+#define CGAL_SIMPLE_MANIFOLDS_IO_WRITE_OBJ_H
+
+#include <CGAL/Simple_manifolds/IO/Atomic_file.h>
+#include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
+#include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
+#include <CGAL/Simple_manifolds/IO/internal/chart_colours.h>
+#include <CGAL/Simple_manifolds/IO/internal/chart_parts.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+namespace internal {
+
+template <class Vector>
+void write_obj_row(std::ostream& out, const char* keyword, const Vector& x)
+{
+  out << keyword;
+  for (int k = 0; k < x.size(); ++k) out << ' ' << shortest(x[k]);
+  out << '\n';
+}
+
+inline void write_obj(std::ostream& out, const Charted_mesh& mesh, const std::vector<Chart_part>& parts,
+                      const std::string& materials)
+{
+  out << "# simple_manifolds " << mesh.kind << ", atlas " << mesh.atlas << "\nmtllib " << materials << '\n';
+  for (const Eigen::Vector3d& x : mesh.points) write_obj_row(out, "v", x);
+  for (const Eigen::Vector3d& x : mesh.normals) write_obj_row(out, "vn", x);
+  std::size_t coordinates = 1; // the number of the first pair of the part
+  for (const Chart_part& part : parts) {
+    if (part.has_coordinates())
+      for (const Eigen::Vector2d& x : part.coordinates) write_obj_row(out, "vt", x);
+    out << "g " << part.name() << "\nusemtl " << part.name() << '\n';
+    for (const Triangle& t : part.triangles) {
+      out << 'f';
+      for (int k : t) {
+        const int v = part.vertices[k] + 1;
+        out << ' ' << v;
+        if (part.has_coordinates()) out << '/' << coordinates + k;
+        if (!mesh.normals.empty()) out << (part.has_coordinates() ? "/" : "//") << v;
+      }
+      out << '\n';
+    }
+    if (part.has_coordinates()) coordinates += part.coordinates.size();
+  }
+}
+
+} // namespace internal
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// Writes a mesh as NAME.obj with its materials NAME.mtl: one group and one material per chart, each
+/// triangle with its coordinates in the chart as texture coordinates. A vertex on the border of two charts
+/// has one pair of coordinates in each. With `mesh.images` each material has its image, NAME_chart0.png etc.;
+/// without, the colour of its chart. Triangles come chart by chart; fields are not written.
+///
+/// \param file  NAME.obj
+/// \throw IO_error (`cannot_write`); nothing is then written
+inline void write_obj(const std::string& file, const Charted_mesh& mesh)
+{
+  const std::filesystem::path path(file), folder = path.parent_path();
+  const std::string name = path.stem().string();
+  const std::vector<internal::Chart_part> parts = internal::chart_parts(mesh);
+
+  Atomic_folder output(folder.empty() ? "." : folder.string());
+  Atomic_file materials(output.file(name + ".mtl"));
+  for (const internal::Chart_part& part : parts) {
+    const bool has_image = part.has_coordinates() && std::size_t(part.chart) < mesh.images.size();
+    materials.stream() << "newmtl " << part.name() << '\n';
+    internal::write_obj_row(materials.stream(), "Kd",
+                            has_image ? Eigen::Vector3d(1, 1, 1) : internal::chart_colour(part.chart));
+    if (!has_image) continue;
+    const std::string image_name = name + '_' + part.name() + ".png";
+    materials.stream() << "map_Kd " << image_name << '\n';
+    Atomic_file image(output.file(image_name));
+    image.stream() << mesh.images[part.chart];
+    image.commit();
+  }
+  materials.commit();
+  Atomic_file obj(output.file(path.filename().string()));
+  internal::write_obj(obj.stream(), mesh, parts, name + ".mtl");
+  obj.commit();
+  output.commit();
+}
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_IO_WRITE_OBJ_H

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_IO_WRITE_PLY_H
+#define CGAL_SIMPLE_MANIFOLDS_IO_WRITE_PLY_H
+
+#include <CGAL/Simple_manifolds/IO/Atomic_file.h>
+#include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
+#include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
+#include <CGAL/Simple_manifolds/parameters.h>
+
+#include <cstddef>
+#include <string>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// Writes a mesh as a PLY file. Vertices have the position `x y z`, the normal `nx ny nz` if there is one,
+/// the chart point `chart u v` and all fields, in double precision; faces have a `chart`, or -1.
+///
+/// \param np  `use_binary_mode` (default: true; false writes text)
+/// \throw IO_error (`cannot_write`); a file that was there before is then as it was
+template <class NamedParameters = parameters::Default_named_parameters>
+void write_ply(const std::string& file, const Charted_mesh& mesh,
+               const NamedParameters& np = parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const bool has_normals = !mesh.normals.empty();
+
+  Atomic_file output(file);
+  internal::Ply_rows ply(output.stream(),
+                         choose_parameter(get_parameter(np, CGAL::internal_np::use_binary_mode), true));
+  const auto doubles = [&](const auto&... names) {
+    (ply.header(std::string("property double ") + names), ...);
+  };
+  ply.header("comment simple_manifolds " + mesh.kind);
+  ply.header("comment atlas " + mesh.atlas);
+  ply.header("element vertex " + std::to_string(mesh.points.size()));
+  doubles("x", "y", "z");
+  if (has_normals) doubles("nx", "ny", "nz");
+  ply.header("property int chart");
+  doubles("u", "v");
+  for (const Charted_mesh::Field& field : mesh.fields) doubles(field.name);
+  ply.header("element face " + std::to_string(mesh.triangles.size()));
+  ply.header("property list uchar int vertex_indices");
+  ply.header("property int chart");
+  ply.header("end_header");
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    ply.values(mesh.points[v]);
+    if (has_normals) ply.values(mesh.normals[v]);
+    ply.value(mesh.chart_points[v].chart);
+    ply.values(mesh.chart_points[v].uv);
+    for (const Charted_mesh::Field& field : mesh.fields) ply.value(field.values[v]);
+    ply.end_row();
+  }
+  internal::write_ply_triangles(ply, mesh.triangles, [&](int f) { ply.value(mesh.charts[f]); });
+  output.commit();
+}
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_IO_WRITE_PLY_H

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_IO_WRITE_VTP_H
+#define CGAL_SIMPLE_MANIFOLDS_IO_WRITE_VTP_H
+
+#include <CGAL/Simple_manifolds/IO/Atomic_file.h>
+#include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
+#include <CGAL/Simple_manifolds/IO/internal/Byte_buffer.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+namespace internal {
+
+// The arrays of a VTK file: their XML elements, and the data that are appended to the XML.
+class Vtk_arrays {
+public:
+  // An element for an array; add(i) adds the numbers of item i to `data()`.
+  template <class Add>
+  std::string element(const std::string& name, const char* type, int components, std::size_t n,
+                      const Add& add)
+  {
+    const std::size_t offset = data_.size();
+    Byte_buffer array;
+    for (std::size_t i = 0; i < n; ++i) add(array, i);
+    data_.add(std::uint64_t(array.size()));
+    data_.add(array.bytes());
+    return "<DataArray type=\"" + std::string(type) + "\" Name=\"" + name + "\" NumberOfComponents=\""
+         + std::to_string(components) + "\" format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
+  }
+
+  template <class Vectors>
+  std::string vectors(const std::string& name, const Vectors& vectors)
+  {
+    return element(name, "Float64", 3, vectors.size(), [&](Byte_buffer& out, std::size_t i) {
+      for (double x : {vectors[i].x(), vectors[i].y(), vectors[i].z()}) out.add(x);
+    });
+  }
+
+  template <class Function>
+  std::string integers(const std::string& name, std::size_t n, const Function& f)
+  {
+    return element(name, "Int32", 1, n,
+                   [&](Byte_buffer& out, std::size_t i) { out.add(std::int32_t(f(i))); });
+  }
+
+  const Byte_buffer& data() const { return data_; }
+
+private:
+  Byte_buffer data_;
+};
+
+} // namespace internal
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// Writes a mesh as a VTK XML file of polygonal data (.vtp), for ParaView: per point the normal, if there
+/// is one, `chart`, `uv` (the coordinates in that chart) and all fields, per cell `chart`; in double precision.
+///
+/// \throw IO_error (`cannot_write`); a file that was there before is then as it was
+inline void write_vtp(const std::string& file, const Charted_mesh& mesh)
+{
+  const std::size_t n = mesh.points.size(), m = mesh.triangles.size();
+  internal::Vtk_arrays arrays;
+  std::string xml = "<?xml version=\"1.0\"?>\n<!-- simple_manifolds " + mesh.kind + ", atlas " + mesh.atlas
+    + " -->\n"
+    "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+    "<PolyData>\n<Piece NumberOfPoints=\"" + std::to_string(n) + "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
+    "NumberOfStrips=\"0\" NumberOfPolys=\"" + std::to_string(m) + "\">\n";
+  const std::string normal = mesh.normals.empty() ? "" : " Normals=\"normal\"";
+  xml += "<PointData Scalars=\"chart\"" + normal + ">\n";
+  if (!mesh.normals.empty()) xml += arrays.vectors("normal", mesh.normals);
+  xml += arrays.integers("chart", n, [&](std::size_t v) { return mesh.chart_points[v].chart; });
+  xml += arrays.element("uv", "Float64", 2, n, [&](internal::Byte_buffer& out, std::size_t v) {
+    for (int k = 0; k < 2; ++k) out.add(mesh.chart_points[v].uv[k]);
+  });
+  for (const Charted_mesh::Field& field : mesh.fields)
+    xml += arrays.element(field.name, "Float64", 1, n, [&](internal::Byte_buffer& out, std::size_t v) {
+      out.add(field.values[v]);
+    });
+  xml += "</PointData>\n<CellData Scalars=\"chart\">\n";
+  xml += arrays.integers("chart", m, [&](std::size_t f) { return mesh.charts[f]; });
+  xml += "</CellData>\n<Points>\n" + arrays.vectors("points", mesh.points) + "</Points>\n<Polys>\n";
+  xml += arrays.integers("connectivity", 3 * m, [&](std::size_t i) { return mesh.triangles[i / 3][i % 3]; });
+  xml += arrays.integers("offsets", m, [&](std::size_t f) { return 3 * (f + 1); });
+  xml += "</Polys>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
+
+  Atomic_file output(file);
+  output.stream() << xml << arrays.data().bytes() << "\n</AppendedData>\n</VTKFile>\n";
+  output.commit();
+}
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_IO_WRITE_VTP_H
