@@ -60,6 +60,7 @@ public:
   std::size_t number_of_faces() const { return faces_.size(); }
   bool is_virtual(std::size_t) const { return false; }
   bool is_virtual_vertex(std::size_t) const { return false; }
+  const std::array<int, 3>& face(std::size_t f) const { return faces_[f]; }
   const Domain_point& domain_point(std::size_t v) const { return points_[v]; }
   Eigen::Vector3d point(std::size_t v) const { return f_(points_[v]); }
   double diagonal() const { return diagonal_; }

@@ -37,7 +37,20 @@
   X(fairness)            /* double: weight of the thin plate energy */                               \
   X(vertex_weights)      /* Range of double: weights of the vertices of a map in a fit */            \
   X(fit_report)          /* std::reference_wrapper<Fit_report> */                                    \
+  X(average_delta)       /* double: largest mean of b_c |M - E_c| at the vertices of a chart */      \
+  X(max_delta)           /* double: largest b_c |M - E_c| there, fraction of the diagonal */         \
+  X(patch_controls)      /* int: controls per side of a patch */                                     \
+  X(max_patches)         /* int: limit of the patches of a chart */                                  \
+  X(max_bins)            /* int: limit of the bins per side of a chart */                            \
+  X(patch_solve)         /* Patch_solve: what is solved for when a patch was added */                \
+  X(patch_fit_report)    /* std::reference_wrapper<Patch_fit_report> */                              \
   X(subdivisions)        /* int: cells per side of a tile */                                         \
+  X(chord_error)         /* double: largest distance of faces from a surface, fraction of diagonal */\
+  X(edge_length)         /* double: longest edge of a tessellation, fraction of the diagonal */      \
+  X(sizing)              /* model of TessellationSizing */                                           \
+  X(max_faces)           /* std::size_t: limit of the faces of a tessellation */                     \
+  X(tile_borders)        /* Tile_borders: where the tiles of the sphere meet */                      \
+  X(tessellation_report) /* std::reference_wrapper<Tessellation_report> */                           \
   X(relative_error)      /* double: error of an integral allowed, fraction of the integral of |f| */ \
   X(normal_map)          /* WritablePropertyMap vertex -> Vector_3 */                                \
   X(chart_point_map)     /* WritablePropertyMap vertex -> Chart_point */

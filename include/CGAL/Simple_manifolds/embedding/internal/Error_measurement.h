@@ -70,8 +70,8 @@ public:
     report.controls = fit.controls();
     for(std::size_t c = 0; c < total.size(); ++c) {
       Fit_report::Chart& chart = report.charts[c];
-      chart.controls = fit.splines()[c].size();
-      chart.levels = fit.splines()[c].space().number_of_levels();
+      chart.controls = fit.controls(int(c));
+      chart.levels = fit.levels(int(c));
       set(total[c], chart.rms_error, chart.max_error);
       chart.chart_disagreement = disagreement(total[c]);
       all += total[c];

@@ -64,6 +64,9 @@ public:
     return n;
   }
 
+  std::size_t controls(int c) const { return splines_[c].size(); }
+  int levels(int c) const { return splines_[c].space().number_of_levels(); }
+
   const Fit_report::Bytes& bytes() const { return bytes_; }
 
   /// Appends samples: the vertices first, then those of `cells_without_samples()`.
