@@ -52,8 +52,13 @@
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
 #include <CGAL/Simple_manifolds/embedding/measures.h>
 
+#include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
+#include <CGAL/Simple_manifolds/tessellation/Mesh_vertex_count.h>
+#include <CGAL/Simple_manifolds/tessellation/Tile_borders.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
 #include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
+#include <CGAL/Simple_manifolds/tessellation/refine_triangulation.h>
+#include <CGAL/Simple_manifolds/tessellation/sizing.h>
 #include <CGAL/Simple_manifolds/tessellation/tessellate.h>
 
 #endif // CGAL_SIMPLE_MANIFOLDS_H

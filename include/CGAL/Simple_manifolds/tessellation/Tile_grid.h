@@ -9,11 +9,13 @@
 #define CGAL_SIMPLE_MANIFOLDS_TESSELLATION_TILE_GRID_H
 
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
+#include <CGAL/Simple_manifolds/tessellation/Tile_borders.h>
 
 #include <CGAL/assertions.h>
 
 #include <array>
 #include <map>
+#include <type_traits>
 #include <vector>
 
 /// \file
@@ -39,24 +41,26 @@ public:
   using Cell = std::array<int, 4>;
 
   /// \param n  the number of cells per side of a tile
+  /// \param borders  where the tiles of the sphere meet
   /// \pre n >= 1
-  explicit Tile_grid(int n, const Atlas& atlas = Atlas()) : n_(n)
+  explicit Tile_grid(int n, Tile_borders borders, const Atlas& atlas = Atlas()) : n_(n)
   {
     CGAL_precondition(n >= 1);
     cells_.reserve(std::size_t(Atlas::number_of_charts) * n * n);
-    std::vector<int> vertex(std::size_t(n + 1) * (n + 1)); // of the tile at hand
-    for (int tile = 0; tile < Atlas::number_of_charts; ++tile) {
-      for (int i = 0; i <= n; ++i)
-        for (int j = 0; j <= n; ++j)
-          vertex[i * (n + 1) + j] = find_or_add(atlas, tile, i, j);
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-          const int* v = &vertex[i * (n + 1) + j];
-          cells_.push_back({v[0], v[n + 1], v[n + 2], v[1]});
-        }
-    }
+    for (int tile = 0; tile < Atlas::number_of_charts; ++tile)
+      if constexpr (std::is_same_v<Atlas, Sphere_atlas>) {
+        if (borders == Tile_borders::AVERAGED)
+          add(atlas, tile, internal::Averaged_tile(atlas, tile, n));
+        else
+          add(atlas, tile, internal::Exact_tile<Atlas>(atlas, tile, n));
+      } else {
+        add(atlas, tile, internal::Exact_tile<Atlas>(atlas, tile, n));
+      }
     on_sides_.clear();
   }
+
+  /// The same with `Tile_borders::EXACT`.
+  explicit Tile_grid(int n, const Atlas& atlas = Atlas()) : Tile_grid(n, Tile_borders::EXACT, atlas) {}
 
   /// The number of cells per side of a tile.
   int subdivisions() const { return n_; }
@@ -87,11 +91,26 @@ private:
     return k;
   }
 
-  int find_or_add(const Atlas& atlas, int tile, int i, int j)
+  template <class Tile>
+  void add(const Atlas& atlas, int tile, const Tile& points)
   {
-    const Domain_point p = atlas.tile_point(tile, double(i) / n_, double(j) / n_);
+    const int n = n_;
+    std::vector<int> vertex(std::size_t(n + 1) * (n + 1));
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j) {
+        const bool is_on_side = i == 0 || j == 0 || i == n || j == n;
+        vertex[i * (n + 1) + j] = find_or_add(atlas, tile, points.point(i, j), is_on_side);
+      }
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        const int* v = &vertex[i * (n + 1) + j];
+        cells_.push_back({v[0], v[n + 1], v[n + 2], v[1]});
+      }
+  }
+
+  int find_or_add(const Atlas& atlas, int tile, const Domain_point& p, bool is_on_side)
+  {
     const int next = number_of_vertices();
-    const bool is_on_side = i == 0 || j == 0 || i == n_ || j == n_;
     if (is_on_side) {
       const auto [at, is_new] = on_sides_.insert({key(p), next});
       if (!is_new) return at->second;
