@@ -1,0 +1,85 @@
+// Usage: write_files FOLDER
+//
+// Writes a tessellation and the mesh of a map of each genus in all formats, and as expected.json what they
+// hold.
+
+#include "../IO/sample_maps.h"
+
+#include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
+#include <CGAL/Simple_manifolds/IO/png_images.h>
+#include <CGAL/Simple_manifolds/IO/write_gltf.h>
+#include <CGAL/Simple_manifolds/IO/write_obj.h>
+#include <CGAL/Simple_manifolds/IO/write_ply.h>
+#include <CGAL/Simple_manifolds/IO/write_vtp.h>
+
+#include <nlohmann/json.hpp>
+
+#include <Eigen/Geometry>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void write(const std::string& folder, const std::string& name, const SM::Charted_mesh& mesh, Json& expected)
+{
+  const std::string file = folder + '/' + name;
+  SM::write_obj(file + ".obj", mesh);
+  SM::write_ply(file + ".ply", mesh);
+  SM::write_gltf(file + ".glb", mesh);
+  SM::write_vtp(file + ".vtp", mesh);
+
+  Json& j = expected[name];
+  std::set<int> charts(mesh.charts.begin(), mesh.charts.end());
+  std::set<std::pair<int, int>> wedges; // a vertex in one chart
+  Eigen::AlignedBox3d box;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+    for (int v : mesh.triangles[f]) {
+      wedges.insert({v, mesh.charts[f]});
+      box.extend(mesh.points[v]);
+    }
+  j["vertices"] = mesh.points.size();
+  j["faces"] = mesh.triangles.size();
+  j["charts"] = charts.size();
+  j["wedges"] = wedges.size();
+  j["images"] = mesh.images.size();
+  j["low"] = {box.min().x(), box.min().y(), box.min().z()};
+  j["high"] = {box.max().x(), box.max().y(), box.max().z()};
+  for (const auto& field : mesh.fields) j["fields"][field.name] = field.values;
+  for (const auto& x : mesh.points) j["points"].push_back({x.x(), x.y(), x.z()});
+  for (const auto& n : mesh.normals) j["normals"].push_back({n.x(), n.y(), n.z()});
+  j["triangles"] = mesh.triangles;
+  j["face_charts"] = mesh.charts;
+}
+
+template <class Surface>
+void write(const std::string& folder, const Surface& surface, Json& expected)
+{
+  const std::string name = Surface::Atlas::name;
+  const auto map = grid_map(surface, 3);
+  SM::Charted_mesh mesh = SM::charted_tessellation(surface, map, SM::parameters::subdivisions(5));
+  write(folder, name, mesh, expected);
+  mesh.images = SM::png_images(SM::bake(surface, 32, [](const SM::Jet& e) -> Eigen::Vector3d {
+    return (SM::normal(e) + Eigen::Vector3d::Ones()) / 2;
+  }));
+  write(folder, name + "_textured", mesh, expected);
+  write(folder, name + "_map", SM::charted_mesh(map, surface), expected);
+}
+
+} // namespace
+
+int main(int, char** argv)
+{
+  const std::string folder = argv[1];
+  std::filesystem::create_directories(folder);
+  Json expected;
+  write(folder, paraboloid(), expected);
+  write(folder, ellipsoid(Eigen::Vector3d(1, 2, 3)), expected);
+  write(folder, ring(3, 1), expected);
+  write(folder, "no_chart", SM::charted_mesh(tetrahedron_map()), expected);
+  std::ofstream(folder + "/expected.json") << expected;
+}
