@@ -3,6 +3,7 @@
 # Needed:   CGAL >= 5.5, Eigen 3.4 or later, Boost.
 # Optional: nlohmann_json  -> CGAL::Simple_manifolds_IO       (files of surfaces and metrics)
 #           libpng         -> CGAL::Simple_manifolds_PNG      (images of textures)
+#           zlib, three.js -> CGAL::Simple_manifolds_report   (pages that show maps and surfaces)
 #           CHOLMOD        -> CGAL::Simple_manifolds_CHOLMOD  (faster sparse least squares)
 #           oneTBB         -> CGAL::TBB_support               (CGAL::Parallel_tag)
 
@@ -49,6 +50,19 @@ if(PNG_FOUND AND NOT TARGET CGAL::Simple_manifolds_PNG)
   add_library(CGAL::Simple_manifolds_PNG INTERFACE IMPORTED GLOBAL)
   set_target_properties(CGAL::Simple_manifolds_PNG PROPERTIES
     INTERFACE_LINK_LIBRARIES "CGAL::Simple_manifolds;PNG::PNG")
+endif()
+
+find_package(ZLIB QUIET)
+include("${CMAKE_CURRENT_LIST_DIR}/Simple_manifolds_report.cmake")
+if(TARGET CGAL::Simple_manifolds_IO AND ZLIB_FOUND AND SIMPLE_MANIFOLDS_THREE_JS
+   AND NOT TARGET CGAL::Simple_manifolds_report)
+  set(report_dir "${CMAKE_BINARY_DIR}/simple_manifolds_report")
+  simple_manifolds_report_page("${report_dir}")
+  add_library(CGAL::Simple_manifolds_report INTERFACE IMPORTED GLOBAL)
+  set_target_properties(CGAL::Simple_manifolds_report PROPERTIES
+    INTERFACE_COMPILE_DEFINITIONS SIMPLE_MANIFOLDS_HAS_REPORT
+    INTERFACE_INCLUDE_DIRECTORIES "${report_dir}"
+    INTERFACE_LINK_LIBRARIES "CGAL::Simple_manifolds_IO;ZLIB::ZLIB")
 endif()
 
 find_path(SIMPLE_MANIFOLDS_CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)

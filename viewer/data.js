@@ -1,0 +1,37 @@
+// The data of the page: the JSON element "info", and arrays as IO/internal/report/Report_arrays.h writes them.
+
+const array_types = { f32: Float32Array, i16: Int16Array, i8: Int8Array, index: Uint32Array };
+
+async function inflate(text) {
+  const bytes = Uint8Array.from(atob(text), c => c.charCodeAt(0));
+  if (typeof DecompressionStream === 'undefined')
+    throw new Error('this browser is too old to unpack the data (it has no DecompressionStream)');
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+function unpack(bytes, { type, components, size, first }) {
+  const Type = array_types[type], width = components * Type.BYTES_PER_ELEMENT;
+  const out = new Uint8Array(size * width);
+  for (let k = 0; k < width; ++k) {
+    const plane = first + k * size;
+    for (let i = 0; i < size; ++i) out[i * width + k] = bytes[plane + i];
+  }
+  const items = new Type(out.buffer);
+  if (type === 'index')
+    for (let i = 0, previous = 0; i < items.length; ++i)
+      items[i] = previous += items[i] & 1 ? -(items[i] >>> 1) - 1 : items[i] >>> 1;
+  return items;
+}
+
+// {info, mesh, surface, net}: the last two only if there is a surface.
+async function read_data() {
+  const info = JSON.parse(document.getElementById('info').textContent);
+  const bytes = await inflate(document.getElementById('arrays').textContent);
+  const data = { info };
+  for (const [path, entry] of Object.entries(info.arrays)) {
+    const [group, name] = path.split('.');
+    (data[group] = data[group] || {})[name] = unpack(bytes, entry);
+  }
+  return data;
+}

@@ -1,0 +1,302 @@
+// The panels: one canvas with one view per panel, all turned, zoomed and centred together.
+
+const vertex_shader = `
+  attribute vec3 edge;
+  attribute float value, chart;
+  uniform vec3 palette[10];
+  varying vec3 v_normal, v_edge, v_chart_colour;
+  varying vec2 v_uv, v_flat;
+  varying float v_value;
+  void main() {
+    v_normal = normalMatrix * normal;
+    v_edge = edge;
+    v_chart_colour = palette[int(chart + 0.5)];
+    v_uv = uv;
+    v_flat = position.xy;
+    v_value = value;
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  }`;
+
+const fragment_shader = `
+  uniform int mode; // as in fields
+  uniform bool has_copies, is_flat;
+  uniform float wire;
+  uniform vec3 plain, no_value;
+  uniform sampler2D ramp;
+  varying vec3 v_normal, v_edge, v_chart_colour;
+  varying vec2 v_uv, v_flat;
+  varying float v_value;
+  void main() {
+    vec3 distances = fwidth(v_edge);
+    if (has_copies && max(abs(v_flat.x), abs(v_flat.y)) > 0.5) discard;
+    vec3 colour = plain;
+    if (mode == 1) colour = v_chart_colour;
+    if (mode == 2) {
+      vec2 squares = floor(16.0 * v_uv);
+      bool is_dark = mod(squares.x + squares.y, 2.0) > 0.5;
+      colour = is_dark ? v_chart_colour * 0.55 : mix(v_chart_colour, vec3(1.0), 0.55);
+    }
+    if (mode == 3) colour = v_value < -0.5 ? no_value : texture2D(ramp, vec2(v_value * 0.996 + 0.002, 0.5)).rgb;
+
+    vec3 n = normalize(v_normal);
+    if (!gl_FrontFacing) {
+      n = -n;
+      colour = mix(colour, vec3(dot(colour, vec3(0.3, 0.6, 0.1))), 0.45) * 0.8;
+    }
+    float key = max(dot(n, vec3(-0.40, 0.53, 0.75)), 0.0), fill = max(dot(n, vec3(0.85, -0.1, 0.5)), 0.0);
+    float shine = pow(max(dot(n, vec3(-0.21, 0.28, 0.94)), 0.0), 40.0);
+    vec3 lit = is_flat ? colour : colour * (0.40 + 0.60 * key + 0.17 * fill) + 0.10 * shine;
+
+    vec3 near = 1.0 - smoothstep(vec3(0.0), distances * 1.3 + 1e-5, v_edge);
+    float density = max(distances.x, max(distances.y, distances.z)); // faces of few pixels would be all line
+    float line = max(near.x, max(near.y, near.z)) * (1.0 - smoothstep(0.25, 0.8, density));
+    lit = mix(lit, vec3(0.06, 0.08, 0.12), wire * 0.75 * line);
+    gl_FragColor = vec4(lit, 1.0);
+  }`;
+
+function ramp_texture(name) {
+  const texture = new THREE.DataTexture(ramp_bytes(name, 256), 256, 1, THREE.RGBAFormat);
+  texture.magFilter = texture.minFilter = THREE.LinearFilter;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+const inverse_of = matrix => matrix.invert ? matrix.clone().invert() : new THREE.Matrix4().getInverse(matrix);
+const array_of = (Type, items, n) => new THREE.BufferAttribute(new Type(items), n);
+
+// One view of a mesh: `corners` are its triangles, `shape` the canonical surface, or none in space.
+class Panel {
+  constructor(element, corners, atlas, shape, uniforms) {
+    this.element = element;
+    this.corners = corners;
+    this.atlas = atlas;
+    this.shape = shape;
+    const count = corners.face.length;
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', array_of(Float32Array, corners.position, 3));
+    geometry.setAttribute('normal', array_of(Float32Array, corners.normal, 3));
+    geometry.setAttribute('edge', array_of(Float32Array, corners.edge, 3));
+    geometry.setAttribute('uv', new THREE.BufferAttribute(chart_coordinates(corners, atlas), 2));
+    const charts = corners.face.map(f => corners.mesh.charts[f] < 0 ? 9 : corners.mesh.charts[f]);
+    geometry.setAttribute('chart', array_of(Float32Array, charts, 1));
+    this.value = new THREE.BufferAttribute(new Float32Array(count), 1);
+    geometry.setAttribute('value', this.value);
+    this.material = new THREE.ShaderMaterial({
+      vertexShader: vertex_shader, fragmentShader: fragment_shader, side: THREE.DoubleSide,
+      extensions: { derivatives: true },
+      uniforms: { ...uniforms, is_flat: { value: !!(shape && shape.is_flat) },
+                  has_copies: { value: !!(shape && shape.has_copies) } },
+    });
+    this.object = new THREE.Group();
+    const mesh = new THREE.Mesh(geometry, this.material);
+    mesh.frustumCulled = false;
+    this.object.add(mesh);
+    this.scene = new THREE.Scene();
+    this.scene.add(this.object);
+    this.camera = new THREE.PerspectiveCamera(22, 1, 0.01, 100);
+    this.radius = shape ? shape.radius : this.measured_radius();
+    this.dot = document.createElement('i');
+    this.dot.className = 'dot';
+    this.dot.hidden = true;
+    element.append(this.dot);
+  }
+
+  measured_radius() {
+    const p = this.corners.position;
+    let r = 0;
+    for (let i = 0; i < p.length; i += 3) r = Math.max(r, Math.hypot(p[i], p[i + 1], p[i + 2]));
+    return r || 1;
+  }
+
+  show(field, range) {
+    const { face, weights, mesh } = this.corners, out = this.value.array;
+    for (let c = 0; c < face.length; ++c) {
+      const x = (value_at(mesh, field, face[c], weights.slice(3 * c, 3 * c + 3)) - range.low) / (range.high - range.low);
+      out[c] = Number.isNaN(x) ? -1 : Math.min(1, Math.max(0, x));
+    }
+    this.value.needsUpdate = true;
+  }
+
+  add_net(net) {
+    const ends = [], colours = [];
+    for (let q = 0; 12 * q < net.points.length; ++q)
+      for (let k = 0; k < 4; ++k)
+        for (const corner of [k, (k + 1) % 4]) {
+          ends.push(...item(net.points, 4 * q + corner, 3));
+          colours.push(...rgb(chart_colours[net.charts[q]]).map(x => 0.55 * x));
+        }
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', array_of(Float32Array, ends, 3));
+    geometry.setAttribute('color', array_of(Float32Array, colours, 3));
+    this.net = new THREE.Group();
+    for (const hidden of [false, true]) {
+      const look = { vertexColors: THREE.VertexColors === undefined ? true : THREE.VertexColors,
+                     depthTest: !hidden, transparent: hidden, opacity: hidden ? 0.22 : 1 };
+      this.net.add(new THREE.LineSegments(geometry, new THREE.LineBasicMaterial(look)));
+    }
+    this.net.add(new THREE.Points(geometry, new THREE.PointsMaterial({ size: 4, sizeAttenuation: false,
+                                                                       vertexColors: this.net.children[0].material.vertexColors })));
+    this.net.visible = false;
+    this.object.add(this.net);
+  }
+
+  // Where a domain point is in this panel.
+  place(p) {
+    if (this.shape) return this.shape.place(p);
+    const at = locate(this.corners.mesh, this.atlas, p);
+    return at && place_of(this.corners.mesh, at);
+  }
+
+  // The domain point that is seen at (x,y) in [-1,1]^2, or null.
+  domain_point_at(x, y) {
+    const inverse = inverse_of(this.object.matrixWorld);
+    const from = new THREE.Vector3(0, 0, 0).setFromMatrixPosition(this.camera.matrixWorld);
+    const to = new THREE.Vector3(x, y, 0.5).unproject(this.camera).sub(from).transformDirection(inverse);
+    from.applyMatrix4(inverse);
+    const { corners, atlas, shape } = this, n = atlas.dimension;
+    const is_shown = shape && shape.has_copies
+      && ((c, at) => blend(corners.domain, c, 2, at).every(z => z >= 0 && z <= 1));
+    const hit = first_hit(corners, from.toArray(), to.toArray(), is_shown);
+    if (!hit) return null;
+    if (shape) {
+      const p = blend(corners.domain, hit.corner, n, hit.at);
+      return n === 3 ? unit(p) : p;
+    }
+    const { mesh } = corners, v = item(mesh.faces, corners.face[hit.corner], 3);
+    return atlas.interpolate(mesh.domain, ...v, blend(corners.weights, hit.corner, 3, hit.at));
+  }
+}
+
+class View {
+  constructor(container, canvas, has_three_sides) {
+    this.container = container;
+    this.panels = [];
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+    this.renderer.autoClear = false;
+    const palette = chart_colours.concat(no_value).map(c => new THREE.Vector3(...rgb(c)));
+    this.uniforms = {
+      mode: { value: 1 }, wire: { value: 0 }, palette: { value: palette }, ramp: { value: null },
+      plain: { value: new THREE.Vector3(...rgb(plain)) }, no_value: { value: new THREE.Vector3(...rgb(no_value)) },
+    };
+    this.ramps = { sequential: ramp_texture('sequential'), diverging: ramp_texture('diverging') };
+    this.front = new THREE.Quaternion();
+    this.is_requested = false;
+    this.marked = null;
+    new ResizeObserver(() => this.request()).observe(container);
+    this.reset();
+  }
+
+  add(element, corners, atlas, shape) {
+    const panel = new Panel(element, corners, atlas, shape, this.uniforms);
+    this.panels.push(panel);
+    return panel;
+  }
+
+  // The side of the mesh that is seen first: where most of it is seen, or where a disk looks to.
+  face_the_viewer(mesh, is_closed) {
+    const seen = [0, 0, 0];
+    for (let f = 0; 3 * f < mesh.faces.length; ++f) {
+      const [a, b, c] = item(mesh.faces, f, 3).map(i => item(mesh.points, i, 3));
+      cross(subtract(b, a), subtract(c, a)).forEach((x, k) => { seen[k] += is_closed ? Math.abs(x) : x; });
+    }
+    const axis = [2, 0, 1].reduce((a, b) => Math.abs(seen[b]) > 1.05 * Math.abs(seen[a]) ? b : a);
+    const forward = units[axis].map(x => x * (seen[axis] < 0 ? -1 : 1)), up = axis === 1 ? [0, 0, 1] : [0, 1, 0];
+    const matrix = new THREE.Matrix4().makeBasis(new THREE.Vector3(...cross(up, forward)), new THREE.Vector3(...up),
+                                                 new THREE.Vector3(...forward));
+    this.front.setFromRotationMatrix(matrix.transpose());
+  }
+
+  reset() {
+    this.zoom = 1;
+    this.targets = null;
+    this.turned = new THREE.Quaternion();
+    this.turn(-0.45, 0.3);
+  }
+
+  // Turns all panels about the vertical axis of the first view and the horizontal axis of the screen.
+  turn(right, down) {
+    const about = (x, y, z, angle) => new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(x, y, z), angle);
+    this.turned.multiply(about(0, 1, 0, right)).premultiply(about(1, 0, 0, down)).normalize();
+    this.request();
+  }
+
+  zoom_by(factor) {
+    this.zoom = Math.min(60, Math.max(0.4, this.zoom * factor));
+    this.request();
+  }
+
+  centre_on(p) {
+    this.targets = p && this.panels.map(panel => panel.place(p));
+    this.request();
+  }
+
+  mark(p) {
+    this.marked = p && this.panels.map(panel => panel.place(p));
+    this.request();
+  }
+
+  set(field, range) {
+    this.uniforms.mode.value = field.mode;
+    if (field.ramp) {
+      this.uniforms.ramp.value = this.ramps[field.ramp];
+      for (const panel of this.panels) panel.show(field, range);
+    }
+    this.request();
+  }
+
+  set_wire(is_on) { this.uniforms.wire.value = is_on ? 1 : 0; this.request(); }
+  set_net(is_on) { for (const { net } of this.panels) if (net) net.visible = is_on; this.request(); }
+
+  request() {
+    if (this.is_requested) return;
+    this.is_requested = true;
+    requestAnimationFrame(() => { this.is_requested = false; this.draw(); });
+  }
+
+  draw() {
+    const box = this.container.getBoundingClientRect(), { renderer } = this;
+    renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
+    renderer.setSize(box.width, box.height);
+    renderer.setScissorTest(false);
+    renderer.setClearColor(0, 0);
+    renderer.clear();
+    renderer.setScissorTest(true);
+    this.panels.forEach((panel, k) => {
+      const r = panel.element.getBoundingClientRect(), x = r.left - box.left, y = box.bottom - r.bottom;
+      this.arrange(panel, r.width / r.height, this.targets && this.targets[k]);
+      renderer.setViewport(x, y, r.width, r.height);
+      renderer.setScissor(x, y, r.width, r.height);
+      renderer.render(panel.scene, panel.camera);
+      this.place_dot(panel, this.marked && this.marked[k], r);
+    });
+  }
+
+  arrange(panel, aspect, target) {
+    const { camera, object, radius, shape } = panel;
+    const half = camera.fov * Math.PI / 360, narrow = Math.min(1, aspect);
+    const distance = 1.02 * radius / Math.sin(Math.atan(Math.tan(half) * narrow));
+    camera.aspect = aspect;
+    camera.near = distance / 50;
+    camera.far = distance + 4 * radius;
+    camera.zoom = this.zoom;
+    camera.position.set(0, 0, distance);
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+    object.quaternion.set(0, 0, 0, 1);
+    if (!shape || !shape.is_flat) object.quaternion.copy(this.turned);
+    if (!shape) object.quaternion.multiply(this.front);
+    object.position.set(0, 0, 0);
+    if (target) object.position.fromArray(target).applyQuaternion(object.quaternion).negate();
+    object.updateMatrixWorld();
+  }
+
+  place_dot(panel, place, r) {
+    const { dot, camera, object } = panel;
+    dot.hidden = !place;
+    if (!place) return;
+    const p = new THREE.Vector3(...place).applyMatrix4(object.matrixWorld).project(camera);
+    dot.hidden = Math.max(Math.abs(p.x), Math.abs(p.y)) > 1;
+    dot.style.left = `${(p.x + 1) / 2 * r.width}px`;
+    dot.style.top = `${(1 - p.y) / 2 * r.height}px`;
+  }
+}
