@@ -43,8 +43,9 @@ function(simple_manifolds_report_page folder)
   string(REPLACE "<!-- three -->" "/*\n${licence}*/\n${three}" page "${page}")
   simple_manifolds_write_if_new("${folder}/report_page.html" "${page}")
   string(CONCAT header "#ifndef SIMPLE_MANIFOLDS_REPORT_PAGE_H\n#define SIMPLE_MANIFOLDS_REPORT_PAGE_H\n\n"
-    "#include <string_view>\n\ninline constexpr std::string_view simple_manifolds_report_page =\n"
-    "  R\"_page_(${page})_page_\";\n\n#endif\n")
+    "#include <string_view>\n\ninline constexpr char simple_manifolds_report_text[] = R\"_page_(${page})_page_\";\n"
+    "inline constexpr std::string_view simple_manifolds_report_page(simple_manifolds_report_text,\n"
+    "  sizeof simple_manifolds_report_text - 1); // the compiler need not count\n\n#endif\n")
   simple_manifolds_write_if_new("${folder}/simple_manifolds_report_page.h" "${header}")
 endfunction()
 
