@@ -39,8 +39,10 @@ namespace internal {
 template <class Map>
 class Report_writer {
 public:
+  static constexpr std::size_t max_faces = 100000;
+
   Report_writer(const Map& map, const nlohmann::ordered_json& figures)
-    : map_(map), distortions_(face_distortions(map)), mesh_(report_mesh(map, distortions_))
+    : map_(map), distortions_(face_distortions(map)), mesh_(report_mesh(map, distortions_, max_faces))
   {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& p : map.points())
@@ -49,6 +51,7 @@ public:
     info_ = {{"atlas", Map::Atlas::name},
              {"charts", int(Map::Atlas::number_of_charts)},
              {"faces", mesh_.faces.size()},
+             {"faces_of_map", distortions_.angle.size()},
              {"diagonal", unit()},
              {"centre", {centre_.x(), centre_.y(), centre_.z()}},
              {"figures", figures}};

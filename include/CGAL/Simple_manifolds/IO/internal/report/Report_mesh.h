@@ -8,10 +8,12 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_REPORT_REPORT_MESH_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_REPORT_REPORT_MESH_H
 
+#include <CGAL/Simple_manifolds/IO/internal/report/Map_simplification.h>
 #include <CGAL/Simple_manifolds/IO/internal/report/Report_arrays.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/correspondence/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
 #include <CGAL/Simple_manifolds/tessellation/tessellate.h>
@@ -107,19 +109,39 @@ struct Report_mesh {
   }
 };
 
-// The mesh of a map, without virtual faces.
+// The mesh of a map, without virtual faces; with about `max_faces` faces if it has more. Faces of a simplified
+// mesh have the distortion of the map at their centre.
 template <class Map>
-Report_mesh<typename Map::Atlas> report_mesh(const Map& map, Face_distortions distortions)
+Report_mesh<typename Map::Atlas> report_mesh(const Map& map, const Face_distortions& distortions,
+                                             std::size_t max_faces)
 {
   Report_mesh<typename Map::Atlas> mesh;
-  mesh.points = map.points();
-  mesh.domain_points = map.domain_points();
-  mesh.faces = map.faces();
-  mesh.faces.resize(distortions.angle.size());
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    mesh.charts.push_back(map.chart(f));
-  mesh.angle = std::move(distortions.angle);
-  mesh.log10_area = std::move(distortions.log10_area);
+  if (distortions.angle.size() <= max_faces) {
+    mesh.points = map.points();
+    mesh.domain_points = map.domain_points();
+    mesh.faces = map.faces();
+    mesh.faces.resize(distortions.angle.size());
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+      mesh.charts.push_back(map.chart(f));
+    mesh.angle = distortions.angle;
+    mesh.log10_area = distortions.log10_area;
+    return mesh;
+  }
+  const Map_simplification<Map> simplification(map, max_faces);
+  for (int v : simplification.vertices) {
+    mesh.points.push_back(map.point(v));
+    mesh.domain_points.push_back(map.domain_point(v));
+  }
+  const auto& p = mesh.domain_points;
+  int hint = -1;
+  for (const Triangle& t : simplification.faces) {
+    hint = map.to_mesh(map.atlas().interpolate(p[t[0]], p[t[1]], p[t[2]], Eigen::Vector3d::Constant(1. / 3)), hint).face;
+    if (map.is_virtual(hint)) continue; // across a border that was closed
+    mesh.faces.push_back(t);
+    mesh.charts.push_back(default_chart(map.atlas(), p[t[0]], p[t[1]], p[t[2]]));
+    mesh.angle.push_back(distortions.angle[hint]);
+    mesh.log10_area.push_back(distortions.log10_area[hint]);
+  }
   return mesh;
 }
 
