@@ -51,17 +51,22 @@ const fields = [
 
 const low_percentile = 0.02;
 
-// The range of a field that the colours span, without the outliers; and the least and largest value. A diverging
-// range is symmetric.
-function range_of(field, values) {
-  const sorted = Array.from(values).filter(Number.isFinite).sort((a, b) => a - b);
-  if (sorted.length === 0) return { low: 0, high: 1, least: NaN, largest: NaN };
-  const at = q => sorted[Math.round(q * (sorted.length - 1))];
+// The range of a field that the colours span, without the outliers, by weight; and the least and largest value. A
+// diverging range is symmetric.
+function range_of(field, values, weights) {
+  const order = Array.from(values.keys()).filter(i => Number.isFinite(values[i])).sort((i, j) => values[i] - values[j]);
+  if (order.length === 0) return { low: 0, high: 1, least: NaN, largest: NaN };
+  const sum = order.reduce((s, i) => s + weights[i], 0);
+  const at = q => {
+    let s = 0;
+    for (const i of order) if ((s += weights[i]) >= q * sum) return values[i];
+    return values[order[order.length - 1]];
+  };
   let low = field.least === undefined ? at(low_percentile) : field.least, high = at(1 - low_percentile);
   if (field.ramp === 'diverging') {
     high = Math.max(Math.abs(low), Math.abs(high));
     low = -high;
   }
   if (!(high > low)) high = low + (Math.abs(low) || 1) * 1e-6;
-  return { low, high, least: sorted[0], largest: sorted[sorted.length - 1] };
+  return { low, high, least: values[order[0]], largest: values[order[order.length - 1]] };
 }

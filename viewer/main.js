@@ -93,7 +93,7 @@ function legend(field, range, info) {
     box.append(element('div', { class: 'scale' },
       element('div', { class: 'ramp', style: `background: ${gradient(field.ramp)}` }), element('div', { class: 'ticks' }, ...ticks)));
     text.append(element('span', { class: 'quiet' },
-      `. Colours span the ${100 * low_percentile}nd to ${100 - 100 * low_percentile}th percentile of vertices or faces;`
+      `. Colours span the ${100 * low_percentile}nd to ${100 - 100 * low_percentile}th percentile of the area;`
       + ` values from ${show(least)} to ${show(largest)}.`));
   }
   box.append(text);
@@ -101,9 +101,10 @@ function legend(field, range, info) {
 }
 
 function make_switches(view, data) {
-  const { mesh, info } = data, ranges = {};
+  const { mesh, info } = data, ranges = {}, areas = areas_of(mesh);
   const choose = field => {
-    if (field.ramp && !ranges[field.name]) ranges[field.name] = range_of(field, mesh[field.name]);
+    if (field.ramp && !ranges[field.name]) 
+      ranges[field.name] = range_of(field, mesh[field.name], field.is_per_face ? areas.faces : areas.vertices);
     view.set(field, ranges[field.name]);
     legend(field, ranges[field.name], info);
   };
@@ -166,41 +167,45 @@ function make_inspector(view, data, atlas) {
 // ---- Plots and figures ------------------------------------------------------------------------------
 
 function show_plots({ info, mesh }) {
-  const areas = areas_of(mesh), list = [];
+  const areas = areas_of(mesh).faces, list = [];
   for (const field of fields.filter(f => f.is_per_face))
-    list.push(histogram(field, mesh[field.name], areas, range_of(field, mesh[field.name])));
+    list.push(histogram(field, mesh[field.name], areas, range_of(field, mesh[field.name], areas)));
   if (info.fit) list.unshift(errors_per_chart(info.fit), convergence(info.fit));
   by_id('plots').append(...list.filter(Boolean));
 }
 
-function text_of(value, name) {
+function text_of(value, label) {
   if (value === null) return '–';
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
-  if (typeof value === 'string') return value;
-  if (typeof value !== 'number') return '';
-  if (/bytes$/.test(name)) return short(value / 2 ** 20) + ' MiB';
+  if (typeof value !== 'number') return String(value);
+  if (/\bbytes\b/.test(label)) return short(value / 2 ** 20) + ' MiB';
+  if (/\bseconds\b/.test(label)) return short(value) + ' s';
   return Number.isInteger(value) ? count(value) : short(value);
 }
 
-function rows_of(group, prefix = '') {
+// Names and values of a group, with those of the groups in it; lists of numbers in one row, others left out.
+function rows_of(group, prefix) {
   return Object.entries(group).flatMap(([name, value]) => {
-    const label = (prefix + name).replace(/_/g, ' ');
-    if (value === null || typeof value !== 'object') return [[label, text_of(value, name)]];
-    if (!Array.isArray(value)) return rows_of(value, prefix + name + ' ');
-    return value.every(x => typeof x === 'number') ? [[label, value.map(x => text_of(x, name)).join(' · ')]] : [];
+    const label = `${prefix} ${name}`.replace(/_/g, ' ');
+    if (value === null || typeof value !== 'object') return [[label, text_of(value, label)]];
+    if (!Array.isArray(value)) return rows_of(value, label);
+    return value.every(x => typeof x === 'number') ? [[label, value.map(x => text_of(x, label)).join(' · ')]] : [];
   });
 }
 
 function show_figures({ info }) {
   const { figures = {} } = info, single = {};
-  const add = (name, rows) => by_id('figures').append(element('table', {}, element('caption', {}, name.replace(/_/g, ' ')),
-    element('tbody', {}, ...rows.map(([label, value]) => element('tr', {}, element('th', { scope: 'row' }, label),
-                                                                 element('td', {}, value))))));
+  const add = (name, group) => {
+    const rows = rows_of(group, name).map(([label, value]) => element('tr', {},
+      element('th', { scope: 'row' }, label.slice(name.length + 1).replace(/ bytes$/, '')), element('td', {}, value)));
+    if (rows.length > 0)
+      by_id('figures').append(element('table', {}, element('caption', {}, name), element('tbody', {}, ...rows)));
+  };
   for (const [name, group] of Object.entries(figures)) {
     if (group === null || typeof group !== 'object') single[name] = group;
-    else if (rows_of(group).length > 0) add(name, rows_of(group));
+    else add(name, group);
   }
-  if (Object.keys(single).length > 0) add('program', rows_of(single));
+  add('program', single);
 }
 
 async function start() {

@@ -55,15 +55,6 @@ function figure(title, plot, text) {
 const y_axis = (low, high, is_logarithmic) => axis(low, high, plot_height - plot_bottom, plot_top, is_logarithmic);
 const x_axis = (low, high, is_logarithmic) => axis(low, high, plot_left, plot_width - plot_right, is_logarithmic);
 
-function areas_of(mesh) {
-  const areas = new Float64Array(mesh.faces.length / 3);
-  for (let f = 0; f < areas.length; ++f) {
-    const [a, b, c] = item(mesh.faces, f, 3).map(i => item(mesh.points, i, 3));
-    areas[f] = Math.hypot(...cross(subtract(b, a), subtract(c, a)));
-  }
-  return areas;
-}
-
 // How much of the mesh's area has which value of a field; colours as in the views.
 function histogram(field, values, areas, range) {
   const count = 40, bins = new Float64Array(count), low = range.low, high = range.high;
@@ -75,7 +66,10 @@ function histogram(field, values, areas, range) {
     sum += areas[f];
     mean += areas[f] * values[f];
   }
-  const most = Math.max(...bins) / sum, x = x_axis(low, high), y = y_axis(0, most * 1.08);
+  const most = Math.max(...bins) / sum, y = y_axis(0, most * 1.08);
+  const is_ratio = field.name === 'area'; // given by its logarithm
+  const axis_of = is_ratio ? x_axis(10 ** low, 10 ** high, true) : x_axis(low, high);
+  const x = { at: is_ratio ? v => axis_of.at(10 ** v) : axis_of.at, ticks: is_ratio ? axis_of.ticks.map(Math.log10) : axis_of.ticks };
   const plot = frame(`${field.label} distortion: histogram`, x, y, field.name === 'angle' ? 'σ₁/σ₂' : 'area ratio, logarithmic',
                      field.show, percent);
   const bytes = ramp_bytes(field.ramp, count), width = x.at(low + (high - low) / count) - x.at(low);

@@ -62,7 +62,7 @@ function ramp_texture(name) {
 }
 
 const inverse_of = matrix => matrix.invert ? matrix.clone().invert() : new THREE.Matrix4().getInverse(matrix);
-const array_of = (Type, items, n) => new THREE.BufferAttribute(new Type(items), n);
+const attribute = (array, n) => new THREE.BufferAttribute(array, n);
 
 // One view of a mesh: `corners` are its triangles, `shape` the canonical surface, or none in space.
 class Panel {
@@ -71,15 +71,14 @@ class Panel {
     this.corners = corners;
     this.atlas = atlas;
     this.shape = shape;
-    const count = corners.face.length;
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', array_of(Float32Array, corners.position, 3));
-    geometry.setAttribute('normal', array_of(Float32Array, corners.normal, 3));
-    geometry.setAttribute('edge', array_of(Float32Array, corners.edge, 3));
-    geometry.setAttribute('uv', new THREE.BufferAttribute(chart_coordinates(corners, atlas), 2));
-    const charts = corners.face.map(f => corners.mesh.charts[f] < 0 ? 9 : corners.mesh.charts[f]);
-    geometry.setAttribute('chart', array_of(Float32Array, charts, 1));
-    this.value = new THREE.BufferAttribute(new Float32Array(count), 1);
+        const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', attribute(corners.position, 3));
+    geometry.setAttribute('normal', attribute(corners.normal, 3));
+    geometry.setAttribute('edge', attribute(corners.edge, 3));
+    geometry.setAttribute('uv', attribute(chart_coordinates(corners, atlas), 2));
+    const chart = f => corners.mesh.charts[f] < 0 ? 9 : corners.mesh.charts[f];
+    geometry.setAttribute('chart', attribute(Float32Array.from({ length: corners.count }, (_, c) => chart(corners.face(c))), 1));
+    this.value = attribute(new Float32Array(corners.count), 1);
     geometry.setAttribute('value', this.value);
     this.material = new THREE.ShaderMaterial({
       vertexShader: vertex_shader, fragmentShader: fragment_shader, side: THREE.DoubleSide,
@@ -109,9 +108,9 @@ class Panel {
   }
 
   show(field, range) {
-    const { face, weights, mesh } = this.corners, out = this.value.array;
-    for (let c = 0; c < face.length; ++c) {
-      const x = (value_at(mesh, field, face[c], weights.slice(3 * c, 3 * c + 3)) - range.low) / (range.high - range.low);
+    const { corners } = this, out = this.value.array, scale = 1 / (range.high - range.low);
+    for (let c = 0; c < corners.count; ++c) {
+      const x = (value_at(corners.mesh, field, corners.face(c), corners.weights, c) - range.low) * scale;
       out[c] = Number.isNaN(x) ? -1 : Math.min(1, Math.max(0, x));
     }
     this.value.needsUpdate = true;
@@ -126,8 +125,8 @@ class Panel {
           colours.push(...rgb(chart_colours[net.charts[q]]).map(x => 0.55 * x));
         }
     const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', array_of(Float32Array, ends, 3));
-    geometry.setAttribute('color', array_of(Float32Array, colours, 3));
+    geometry.setAttribute('position', attribute(new Float32Array(ends), 3));
+    geometry.setAttribute('color', attribute(new Float32Array(colours), 3));
     this.net = new THREE.Group();
     for (const hidden of [false, true]) {
       const look = { vertexColors: THREE.VertexColors === undefined ? true : THREE.VertexColors,
@@ -162,7 +161,7 @@ class Panel {
       const p = blend(corners.domain, hit.corner, n, hit.at);
       return n === 3 ? unit(p) : p;
     }
-    const { mesh } = corners, v = item(mesh.faces, corners.face[hit.corner], 3);
+    const { mesh } = corners, v = item(mesh.faces, corners.face(hit.corner), 3);
     return atlas.interpolate(mesh.domain, ...v, blend(corners.weights, hit.corner, 3, hit.at));
   }
 }
