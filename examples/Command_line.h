@@ -22,7 +22,7 @@ namespace tools {
 
 namespace po = boost::program_options;
 
-/// A command line that makes no sense, or asks for what this version does not have.
+/// A command line that makes no sense.
 struct Usage_error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -96,11 +96,6 @@ public:
   void require(bool is_right, const char* name, const std::string& range) const
   {
     if (!is_right) throw Usage_error(std::string("--") + name + " must be " + range);
-  }
-
-  static void not_yet(bool is_asked, const std::string& option)
-  {
-    if (is_asked) throw Usage_error("this version does not have " + option + " yet");
   }
 
 private:

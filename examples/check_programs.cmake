@@ -47,6 +47,10 @@ if(PART STREQUAL good_input)
     run(0 "" ${MAP_MESH} ${MESHES}/${mesh}.off -o ${WORK}/paper.ply --metrics ${WORK}/paper.json --method paper)
     run(0 "" ${FIT_MESH} ${MESHES}/${mesh}.off -o ${WORK}/new/${mesh} --tolerance 0.05 --samples 10 --quiet)
     holds(new/${mesh} ${fitted} samples.csv)
+    # The paper's method: the same map by both programs.
+    run(0 "" ${FIT_MESH} ${MESHES}/${mesh}.off -o ${WORK}/new/paper --method paper --tolerance 0.05 --quiet)
+    holds(new/paper ${fitted})
+    run(0 "" ${CMAKE_COMMAND} -E compare_files ${WORK}/paper.ply ${WORK}/new/paper/map.ply)
   endforeach()
 
   run(0 "" ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/new/options --max-tolerance 0.05 --marking vertices
@@ -75,6 +79,38 @@ if(PART STREQUAL good_input)
   list(LENGTH samples count)
   if(NOT count EQUAL 11)
     message(SEND_ERROR "samples.csv has ${count} lines instead of 11")
+  endif()
+
+  # The paper's map and patches together, and each with the other's partner.
+  run(0 "" ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/new/paper --method paper --tolerance 0.01 --samples 10 --quiet)
+  run(0 "" ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/new/patches --surface patches --tolerance 0.01 --quiet)
+  run(0 "" ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/new/splines --method paper --surface hierarchical
+    --tolerance 0.05 --quiet)
+  foreach(row "paper;paper;patches" "patches;certified;patches" "splines;paper;hierarchical")
+    list(GET row 0 name)
+    list(GET row 1 method)
+    list(GET row 2 surface)
+    file(READ ${WORK}/new/${name}/metrics.json metrics)
+    string(JSON wrote_method GET "${metrics}" parameters method)
+    string(JSON wrote_surface GET "${metrics}" parameters surface)
+    string(JSON partition ERROR_VARIABLE no_partition GET "${metrics}" partition attempts)
+    string(JSON delta ERROR_VARIABLE no_delta GET "${metrics}" surface charts 5 average_delta)
+    if(NOT wrote_method STREQUAL method OR NOT wrote_surface STREQUAL surface)
+      message(SEND_ERROR "${name}: metrics.json says ${wrote_method} and ${wrote_surface}")
+    endif()
+    if((method STREQUAL paper AND no_partition) OR (surface STREQUAL patches AND no_delta)
+        OR (method STREQUAL certified AND NOT no_partition) OR (surface STREQUAL hierarchical AND NOT no_delta))
+      message(SEND_ERROR "${name}: metrics.json has partition ${partition}, average_delta ${delta}")
+    endif()
+  endforeach()
+  # One patch per chart, and no more than that is allowed.
+  run(1 "tolerance was not reached: weighted error .*average [(]tolerance 0.0001[)].*294 controls.*written"
+    ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/one --method paper --tolerance 1e-4 --max-patches 1 --quiet)
+  holds(one ${fitted})
+  file(READ ${WORK}/one/metrics.json metrics)
+  string(JSON patches GET "${metrics}" surface patches_per_chart 5)
+  if(NOT patches EQUAL 1)
+    message(SEND_ERROR "metrics.json: ${patches} patches instead of 1")
   endif()
 
   # The smallest disk: its border gets the fourth corner that the square has.
@@ -214,11 +250,12 @@ if(PART STREQUAL usage)
     run(2 "${message}" ${MAP_MESH} ${mesh} -o ${WORK}/o ${row})
   endforeach()
   foreach(row "--tolerance;0;positive" "--tolerance;nan;positive" "--max-tolerance;inf;positive" "--degree;9;2 to 5"
-      "--smoothness;0;1 to " "--samples;-1;from 0" "--tol;1;tol")
+      "--smoothness;0;1 to " "--samples;-1;from 0" "--tol;1;tol" "--surface;mesh;hierarchical or patches"
+      "--method;paper;--marking;all;marking is for --surface hierarchical" "--surface;patches;--economy;economy is for"
+      "--max-patches;3;max-patches is for --surface patches" "--surface;patches;--max-patches;0;from 1 to 100")
     list(POP_BACK row message)
     run(2 "${message}" ${FIT_MESH} ${mesh} -o ${WORK}/o ${row})
   endforeach()
-  run(2 "does not have --method paper yet" ${FIT_MESH} ${mesh} -o ${WORK}/o --method paper)
   run(2 "o.ply" ${MAP_MESH} ${mesh} -o ${WORK}/none/o.ply)
   run(2 "not a folder" ${FIT_MESH} ${mesh} -o ${WORK}/file)
   run(0 "" ${MAP_MESH} --help)

@@ -8,6 +8,7 @@
 #include <CGAL/Simple_manifolds/IO/write_tessellation.h>
 #include <CGAL/Simple_manifolds/embedding/correct_parameters.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
+#include <CGAL/Simple_manifolds/embedding/paper/fit_patch_surface.h>
 #include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
 
 #include <algorithm>
@@ -21,8 +22,9 @@ using namespace tools;
 namespace {
 
 struct Fit_request {
-  double rms, maximum;
-  int degree, smoothness;
+  bool is_patches;
+  double average, maximum; // tolerances
+  int degree, smoothness, patches;
   long samples, controls;
   double fairness;
   SM::Marking marking;
@@ -32,12 +34,29 @@ struct Fit_request {
 Fit_request fit_request(const Command_line& options)
 {
   Fit_request r;
-  r.rms = options.get<double>("tolerance");
-  r.maximum = options.has("max-tolerance") ? options.get<double>("max-tolerance") : 10 * r.rms;
+  const std::string surface = options.has("surface") ? options.get<std::string>("surface")
+                            : is_paper(options)      ? "patches"
+                                                     : "hierarchical";
+  options.require(surface == "hierarchical" || surface == "patches", "surface", "hierarchical or patches");
+  r.is_patches = surface == "patches";
+  const auto refuse = [&](const char* name, const char* other) {
+    if (options.has(name))
+      throw Usage_error(std::string("--") + name + " is for --surface " + other + " only");
+  };
+  if (r.is_patches)
+    for (const char* name :
+         {"smoothness", "max-controls", "marking", "economy", "fairness", "correct-parameters"})
+      refuse(name, "hierarchical");
+  else
+    refuse("max-patches", "patches");
+  r.patches = options.get<int>("max-patches");
+  options.require(r.patches >= 1 && r.patches <= 100, "max-patches", "from 1 to 100");
+  r.average = options.get<double>("tolerance");
+  r.maximum = options.has("max-tolerance") ? options.get<double>("max-tolerance") : 10 * r.average;
   r.degree = options.get<int>("degree");
   r.smoothness = options.get<int>("smoothness");
   r.samples = options.get<long>("samples");
-  options.require(r.rms > 0 && std::isfinite(r.rms), "tolerance", "a positive number");
+  options.require(r.average > 0 && std::isfinite(r.average), "tolerance", "a positive number");
   options.require(r.maximum > 0 && std::isfinite(r.maximum), "max-tolerance", "a positive number");
   options.require(r.degree >= 2 && r.degree <= 5, "degree", "from 2 to 5");
   options.require(r.smoothness >= 1 && r.smoothness <= 3, "smoothness", "from 1 to 3");
@@ -100,77 +119,142 @@ Json metrics_of_surface(const SM::Fit_report& report)
   return metrics;
 }
 
-template <class Map, class Bump>
-int fit_and_write(const Command_line& options, const Fit_request& request, const Input& input,
-                  const Map& first_map, const Bump& bump, SM::Atomic_folder& folder, Progress& progress, Stopwatch& watch)
-{
-  SM::Fit_report report;
-  const auto fit = [&](const Map& map) {
-    return watch.time("fit", [&] {
-      return SM::fit_surface<CGAL::Parallel_if_available_tag>(
-        map, SM::parameters::rms_error(request.rms).max_error(request.maximum).bump(bump)
-               .spline_degree(request.degree).max_controls(std::size_t(request.controls))
-               .marking(request.marking).joint_solve(request.joint).fairness(request.fairness)
-               .fit_report(std::ref(report)).visitor(std::ref(progress)));
-    });
-  };
-  auto surface = fit(first_map);
-  std::optional<Map> corrected;
-  if (options.get<bool>("correct-parameters")) {
-    corrected.emplace(watch.time("correct", [&] { return SM::correct_parameters(first_map, surface); }));
-    surface = fit(*corrected);
-  }
-  const Map& map = corrected ? *corrected : first_map;
+// What all parts of a run of the program need.
+struct Job {
+  const Command_line& options;
+  const Fit_request& request;
+  const Input& input;
+  const SM::Partition_report& partition;
+  SM::Atomic_folder& folder;
+  Progress& progress;
+  Stopwatch& watch;
+};
 
+Json parameters_of(const Job& job)
+{
+  Json p = {{"method", job.options.get<std::string>("method")}};
+  if (!is_paper(job.options)) {
+    const SM::Map_options o = SM::map_options_for_fitting();
+    p.update({{"energy", "amips"}, {"lambda", o.lambda}, {"area_floor", o.area_floor}});
+  }
+  p.update({{"surface", job.request.is_patches ? "patches" : "hierarchical"},
+            {"tolerance", job.request.average}, {"max_tolerance", job.request.maximum},
+            {"degree", job.request.degree}, {"bump", "smoothstep"},
+            {"bump_smoothness", job.request.smoothness}, {"samples", job.request.samples}});
+  return p;
+}
+
+// Writes the files; `errors` is what is said of the fit.
+template <class Map, class Surface>
+int write(Job& job, const Map& map, const Surface& surface, Json metrics_of_fit, Json parameters,
+          const std::string& errors)
+{
+  const bool has_reached = metrics_of_fit["tolerance_reached"], is_quiet = job.options.get<bool>("quiet");
   Json metrics;
-  metrics["input"] = metrics_of_input(input, map);
-  metrics["map"] = metrics_of_map(map, watch);
-  metrics["surface"] = metrics_of_surface(report);
+  metrics["input"] = metrics_of_input(job.input, map);
+  metrics["map"] = metrics_of_map(map, job.watch);
+  if (is_paper(job.options)) metrics["partition"] = metrics_of_partition(job.partition);
+  metrics["surface"] = std::move(metrics_of_fit);
   metrics["surface"]["smoothness"] = surface.smoothness();
 
   // As many vertices as the mesh has, roughly, so that the tessellation shows what was fitted.
   const int subdivisions = SM::Tile_grid<typename Map::Atlas>::subdivisions_for(
     std::clamp(double(map.number_of_vertices()), 6000., 200000.));
-  const SM::Map_options map_options = SM::map_options_for_fitting();
-  metrics["parameters"] = {{"method", "certified"}, {"energy", "amips"}, {"lambda", map_options.lambda},
-                           {"area_floor", map_options.area_floor}, {"tolerance", request.rms},
-                           {"max_tolerance", request.maximum}, {"degree", request.degree},
-                           {"max_controls", request.controls}, {"fairness", request.fairness},
-                           {"marking", options.get<std::string>("marking")},
-                           {"economy", options.get<bool>("economy")},
-                           {"correct_parameters", options.get<bool>("correct-parameters")},
-                           {"bump", Bump::type}, {"bump_smoothness", request.smoothness},
-                           {"subdivisions", subdivisions}, {"samples", request.samples}};
-  watch.time("tessellate", [&] {
-    SM::write_tessellation(folder.file("surface.ply"), surface, map,
+  metrics["parameters"] = std::move(parameters);
+  metrics["parameters"]["subdivisions"] = subdivisions;
+  job.watch.time("tessellate", [&] {
+    SM::write_tessellation(job.folder.file("surface.ply"), surface, map,
                             SM::parameters::subdivisions(subdivisions));
   });
-  watch.time("write", [&] {
-    SM::write_map(folder.file("map.ply"), map);
-    SM::write_surface(folder.file("surface.json"), surface);
-    if (request.samples > 0)
-      SM::write_samples(folder.file("samples.csv"), surface,
-                        SM::random_domain_points<typename Map::Atlas>(request.samples));
+  job.watch.time("write", [&] {
+    SM::write_map(job.folder.file("map.ply"), map);
+    SM::write_surface(job.folder.file("surface.json"), surface);
+    if (job.request.samples > 0)
+      SM::write_samples(job.folder.file("samples.csv"), surface,
+                        SM::random_domain_points<typename Map::Atlas>(job.request.samples));
   });
-  SM::Atomic_file metrics_file(folder.file("metrics.json"));
-  write_metrics(metrics_file, "fit_mesh", std::move(metrics), watch);
-  folder.commit();
+  SM::Atomic_file metrics_file(job.folder.file("metrics.json"));
+  write_metrics(metrics_file, "fit_mesh", std::move(metrics), job.watch);
+  job.folder.commit();
 
+  if (!is_quiet)
+    std::cout << summary(job.input, map) << "; " << errors << "; " << shown(job.watch.total()) << " s"
+              << std::endl;
+  if (has_reached) return SUCCESS;
+  std::cerr << "fit_mesh: the tolerance was not reached: " << errors << "; the files are written\n";
+  return TOLERANCE_NOT_REACHED;
+}
+
+template <class Map, class Bump>
+int fit_hierarchical(Job& job, const Map& first_map, const Bump& bump)
+{
+  const Fit_request& request = job.request;
+  SM::Fit_report report;
+  const auto fit = [&](const Map& map) {
+    return job.watch.time("fit", [&] {
+      return SM::fit_surface<CGAL::Parallel_if_available_tag>(
+        map, SM::parameters::rms_error(request.average).max_error(request.maximum).bump(bump)
+               .spline_degree(request.degree).max_controls(std::size_t(request.controls))
+               .marking(request.marking).joint_solve(request.joint).fairness(request.fairness)
+               .fit_report(std::ref(report)).visitor(std::ref(job.progress)));
+    });
+  };
+  auto surface = fit(first_map);
+  std::optional<Map> corrected;
+  if (job.options.get<bool>("correct-parameters")) {
+    corrected.emplace(job.watch.time("correct", [&] { return SM::correct_parameters(first_map, surface); }));
+    surface = fit(*corrected);
+  }
+
+  Json parameters = parameters_of(job);
+  parameters.update({{"max_controls", request.controls}, {"fairness", request.fairness},
+                     {"marking", job.options.get<std::string>("marking")},
+                     {"economy", job.options.get<bool>("economy")},
+                     {"correct_parameters", job.options.get<bool>("correct-parameters")}});
   const bool only_vertices = request.marking == SM::Marking::VERTICES;
-  const std::string errors =
-    std::string(only_vertices ? "at vertices " : "") + "rms error "
-    + shown(only_vertices ? report.vertex_rms_error : report.rms_error) + " (tolerance " + shown(request.rms)
-    + "), max " + shown(only_vertices ? report.vertex_max_error : report.max_error) + " (tolerance "
-    + shown(request.maximum) + ") of the diagonal, " + std::to_string(report.controls) + " controls";
-  if (report.has_more_controls_than_vertices() && !options.get<bool>("quiet"))
+  if (report.has_more_controls_than_vertices() && !job.options.get<bool>("quiet"))
     std::cerr << "fit_mesh: " << report.controls << " controls for a mesh of " << report.vertices
               << " vertices: the surface reproduces facets; a larger tolerance"
               << (only_vertices ? " needs fewer\n" : " or --marking vertices needs fewer\n");
-  if (!options.get<bool>("quiet"))
-    std::cout << summary(input, map) << "; " << errors << "; " << shown(watch.total()) << " s" << std::endl;
-  if (report.tolerance_reached) return SUCCESS;
-  std::cerr << "fit_mesh: the tolerance was not reached: " << errors << "; the files are written\n";
-  return TOLERANCE_NOT_REACHED;
+  return write(job, corrected ? *corrected : first_map, surface, metrics_of_surface(report), parameters,
+               std::string(only_vertices ? "at vertices " : "") + "rms error "
+                 + shown(only_vertices ? report.vertex_rms_error : report.rms_error) + " (tolerance "
+                 + shown(request.average) + "), max "
+                 + shown(only_vertices ? report.vertex_max_error : report.max_error) + " (tolerance "
+                 + shown(request.maximum) + ") of the diagonal, " + std::to_string(report.controls)
+                 + " controls");
+}
+
+template <class Map>
+int fit_patches(Job& job, const Map& map)
+{
+  const Fit_request& request = job.request;
+  SM::Patch_fit_report report;
+  const auto surface = job.watch.time("fit", [&] {
+    return SM::fit_patch_surface<CGAL::Parallel_if_available_tag>(
+      map, SM::parameters::average_delta(request.average).max_delta(request.maximum)
+             .spline_degree(request.degree).max_patches(request.patches)
+             .patch_fit_report(std::ref(report)).visitor(std::ref(job.progress)));
+  });
+
+  Json metrics = metrics_of_surface(report.surface);
+  double average = 0, maximum = 0;
+  for (std::size_t c = 0; c < report.charts.size(); ++c) {
+    const SM::Patch_fit_report::Chart& chart = report.charts[c];
+    metrics["charts"][c].update({{"patches", chart.patches}, {"bins_per_side", chart.bins_per_side},
+                                 {"has_fewer_bins", chart.has_fewer_bins},
+                                 {"average_delta", chart.average_delta}, {"max_delta", chart.max_delta},
+                                 {"tolerance_reached", chart.tolerance_reached}});
+    average = std::max(average, chart.average_delta);
+    maximum = std::max(maximum, chart.max_delta);
+  }
+  Json parameters = parameters_of(job);
+  parameters["max_patches"] = request.patches;
+  return write(job, map, surface, std::move(metrics), parameters,
+               "weighted error of a chart at vertices " + shown(average) + " on average (tolerance "
+                 + shown(request.average) + "), max " + shown(maximum) + " (tolerance "
+                 + shown(request.maximum) + "), rms error " + shown(report.surface.rms_error)
+                 + " of the diagonal, " + std::to_string(report.surface.controls) + " controls");
 }
 
 } // namespace
@@ -182,11 +266,17 @@ int main(int argc, char** argv)
       "fit_mesh INPUT -o DIR [options]",
       "Fits a smooth surface to a mesh (OFF, OBJ, PLY, STL; closed of genus 0 or 1, or a disk) and writes\n"
       "into DIR: map.ply (a map that suits the fit: angles before areas), surface.json, surface.ply,\n"
-      "metrics.json and, with --samples, samples.csv.\n"
+      "metrics.json and, with --samples, samples.csv. With --method paper both the map and the fit are\n"
+      "those of Grimm 2002.\n"
       "Exit status: 0 success, 1 tolerance not reached (the files are written), 2 usage, 3 unreadable\n"
       "input, 4 unsupported topology or geometry.");
+    options.add("surface", po::value<std::string>(),
+                "what is fitted: hierarchical (splines), or patches (Grimm 2002, 7 x 7 controls each);\n"
+                "default: hierarchical, with --method paper patches");
+    options.add("max-patches", po::value<int>()->default_value(16), "limit of the patches of a chart");
     options.add("tolerance", po::value<double>()->default_value(2e-3, "0.002"),
-                "root mean square error allowed, fraction of the bounding box diagonal");
+                "error allowed, fraction of the bounding box diagonal: root mean square, or for patches the\n"
+                "average of the weighted errors of a chart at its vertices");
     options.add("max-tolerance", po::value<double>(),
                 "largest error allowed, likewise (default: 10 times that)");
     options.add("degree", po::value<int>()->default_value(3), "degree of the splines, 2 to 5");
@@ -202,23 +292,25 @@ int main(int argc, char** argv)
     options.add("samples", po::value<long>()->default_value(0),
                 "write this many random points of the surface");
     options.parse(argc, argv);
-    options.not_yet(options.get<std::string>("method") == "paper", "--method paper");
     const Fit_request request = fit_request(options);
 
     Stopwatch watch;
     const Input input = watch.time("read", [&] { return read_input(options); });
     SM::Atomic_folder folder(options.get<std::string>("output"));
     Progress progress(options.get<bool>("quiet"));
-    const auto any_map = watch.time("map", [&] {
+    SM::Partition_report partition;
+    const SM::Any_map any_map = watch.time("map", [&] {
+      if (is_paper(options)) return map_by_partition(options, input, partition, progress);
       const SM::Map_options o = SM::map_options_for_fitting();
       return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
         input.mesh, SM::parameters::energy(o.energy).energy_lambda(o.lambda).area_floor(o.area_floor)
                       .close_borders(close_borders(options)).visitor(std::ref(progress)));
     });
+    Job job{options, request, input, partition, folder, progress, watch};
     return std::visit([&](const auto& map) {
-      return with_bump(request.smoothness, [&](const auto& bump) {
-        return fit_and_write(options, request, input, map, bump, folder, progress, watch);
-      });
+      if (request.is_patches) return fit_patches(job, map);
+      return with_bump(request.smoothness,
+                       [&](const auto& bump) { return fit_hierarchical(job, map, bump); });
     }, any_map);
   });
 }

@@ -6,7 +6,6 @@
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
 #include <CGAL/Simple_manifolds/correspondence/balance.h>
 #include <CGAL/Simple_manifolds/correspondence/criteria.h>
-#include <CGAL/Simple_manifolds/correspondence/paper/map_by_partition.h>
 #include <CGAL/Simple_manifolds/correspondence/refine.h>
 
 #include <functional>
@@ -27,17 +26,6 @@ Json metrics_of_criteria(const Map& map)
           {"stars_without_chart", r.charts.stars_without_chart},
           {"vertices_outside_of_their_star", r.vertices_outside},
           {"convex_share", r.convex_share()}};
-}
-
-// How the paper's method came to its result.
-Json metrics_of_partition(const SM::Partition_report& r)
-{
-  return {{"attempts", r.attempts},
-          {"subdivisions", r.subdivisions},
-          {"removed_vertices", r.removed_vertices},
-          {"rounds", r.equalization.rounds},
-          {"largest_deviation_of_faces", r.equalization.largest_deviation},
-          {"stopped_by_rule", r.equalization.has_stopped_by_rule}};
 }
 
 } // namespace
@@ -70,7 +58,6 @@ int main(int argc, char** argv)
     options.require_choice("effort", {"fast", "default", "quality"});
     const std::string effort = options.get<std::string>("effort");
     const bool is_amips = options.get<std::string>("energy") == "amips";
-    const bool is_paper = options.get<std::string>("method") == "paper";
     const bool is_quiet = options.get<bool>("quiet");
     const std::string file = options.get<std::string>("output");
 
@@ -79,9 +66,7 @@ int main(int argc, char** argv)
     Progress progress(is_quiet);
     SM::Partition_report partition;
     SM::Any_map any_map = watch.time("map", [&] {
-      if (is_paper)
-        return SM::map_by_partition(input.mesh, SM::parameters::partition_report(std::ref(partition))
-                                                  .close_borders(close_borders(options)).visitor(std::ref(progress)));
+      if (is_paper(options)) return map_by_partition(options, input, partition, progress);
       return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
         input.mesh, SM::parameters::energy(is_amips ? SM::Energy::AMIPS : SM::Energy::SYMMETRIC_DIRICHLET)
                       .energy_lambda(lambda).area_floor(area_floor)
@@ -107,7 +92,7 @@ int main(int argc, char** argv)
                                {"balance", options.get<bool>("balance")},
                                {"refine", options.get<bool>("refine")}};
       metrics["map"]["criteria"] = metrics_of_criteria(map);
-      if (is_paper) metrics["partition"] = metrics_of_partition(partition);
+      if (is_paper(options)) metrics["partition"] = metrics_of_partition(partition);
       std::optional<SM::Atomic_file> metrics_file; // opened first: no map without its metrics
       if (options.has("metrics")) metrics_file.emplace(options.get<std::string>("metrics"));
       watch.time("write", [&] { SM::write_map(file, map); });

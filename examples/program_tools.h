@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
+#include <CGAL/Simple_manifolds/correspondence/paper/map_by_partition.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -26,6 +27,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <iostream>
 #include <new>
 #include <string>
@@ -167,6 +169,28 @@ inline SM::Close_borders close_borders(const Command_line& options)
   const std::string which = options.get<std::string>("close-borders");
   return which == "inner" ? SM::Close_borders::INNER : which == "all" ? SM::Close_borders::ALL
                                                                       : SM::Close_borders::NONE;
+}
+
+inline bool is_paper(const Command_line& options) { return options.get<std::string>("method") == "paper"; }
+
+/// The map of --method paper.
+inline SM::Any_map map_by_partition(const Command_line& options, const Input& input,
+                                    SM::Partition_report& report, Progress& progress)
+{
+  return SM::map_by_partition(input.mesh,
+                              SM::parameters::partition_report(std::ref(report))
+                                .close_borders(close_borders(options)).visitor(std::ref(progress)));
+}
+
+/// How the paper's method came to its map.
+inline Json metrics_of_partition(const SM::Partition_report& r)
+{
+  return {{"attempts", r.attempts},
+          {"subdivisions", r.subdivisions},
+          {"removed_vertices", r.removed_vertices},
+          {"rounds", r.equalization.rounds},
+          {"largest_deviation_of_faces", r.equalization.largest_deviation},
+          {"stopped_by_rule", r.equalization.has_stopped_by_rule}};
 }
 
 /// A number for JSON, which knows no infinity.
