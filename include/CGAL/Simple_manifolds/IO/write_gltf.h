@@ -11,8 +11,8 @@
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
+#include <CGAL/Simple_manifolds/IO/chart_colour.h>
 #include <CGAL/Simple_manifolds/IO/internal/Byte_buffer.h>
-#include <CGAL/Simple_manifolds/IO/internal/chart_colours.h>
 #include <CGAL/Simple_manifolds/IO/internal/chart_parts.h>
 
 #include <Eigen/Core>

@@ -10,8 +10,8 @@
 
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
+#include <CGAL/Simple_manifolds/IO/chart_colour.h>
 #include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
-#include <CGAL/Simple_manifolds/IO/internal/chart_colours.h>
 #include <CGAL/Simple_manifolds/IO/internal/chart_parts.h>
 
 #include <Eigen/Core>
@@ -85,7 +85,7 @@ inline void write_obj(const std::string& file, const Charted_mesh& mesh)
     const bool has_image = part.has_coordinates() && std::size_t(part.chart) < mesh.images.size();
     materials.stream() << "newmtl " << part.name() << '\n';
     internal::write_obj_row(materials.stream(), "Kd",
-                            has_image ? Eigen::Vector3d(1, 1, 1) : internal::chart_colour(part.chart));
+                            has_image ? Eigen::Vector3d(1, 1, 1) : chart_colour(part.chart));
     if (!has_image) continue;
     const std::string image_name = name + '_' + part.name() + ".png";
     materials.stream() << "map_Kd " << image_name << '\n';

@@ -5,18 +5,21 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_CHART_COLOURS_H
-#define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_CHART_COLOURS_H
+#ifndef CGAL_SIMPLE_MANIFOLDS_IO_CHART_COLOUR_H
+#define CGAL_SIMPLE_MANIFOLDS_IO_CHART_COLOUR_H
 
 #include <Eigen/Core>
 
 #include <cmath>
 
+/// \file
+
 namespace CGAL {
 namespace Simple_manifolds {
-namespace internal {
 
-// The colour of a chart, sRGB; grey for what is in no chart.
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// The colour of a chart in files and pictures: red, green, blue from 0 to 1 (sRGB); grey for -1, no chart.
 inline Eigen::Vector3d chart_colour(int chart)
 {
   static const double colours[][3] = {
@@ -24,6 +27,8 @@ inline Eigen::Vector3d chart_colour(int chart)
     {0.95, 0.60, 0.68}, {0.55, 0.80, 0.80}, {0.75, 0.66, 0.50}, {0.60, 0.62, 0.68}};
   return chart < 0 ? Eigen::Vector3d(0.80, 0.82, 0.86) : Eigen::Vector3d(colours[chart % 9]);
 }
+
+namespace internal {
 
 inline Eigen::Vector3d linear_colour(const Eigen::Vector3d& srgb)
 {
@@ -36,4 +41,4 @@ inline Eigen::Vector3d linear_colour(const Eigen::Vector3d& srgb)
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_CHART_COLOURS_H
+#endif // CGAL_SIMPLE_MANIFOLDS_IO_CHART_COLOUR_H

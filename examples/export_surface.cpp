@@ -1,0 +1,192 @@
+// Writes a surface or the mesh of a map, as fit_mesh leaves them, in a format that other programs read:
+// OBJ with materials, binary glTF, VTK, PLY; with images of its normals, its curvature or a checkerboard.
+
+#include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
+#include <CGAL/Simple_manifolds/IO/chart_colour.h>
+#include <CGAL/Simple_manifolds/IO/map_io.h>
+#include <CGAL/Simple_manifolds/IO/png_images.h>
+#include <CGAL/Simple_manifolds/IO/surface_io.h>
+#include <CGAL/Simple_manifolds/IO/write_gltf.h>
+#include <CGAL/Simple_manifolds/IO/write_obj.h>
+#include <CGAL/Simple_manifolds/IO/write_ply.h>
+#include <CGAL/Simple_manifolds/IO/write_vtp.h>
+#include <CGAL/Simple_manifolds/tessellation/Chart_textures.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace SM = CGAL::Simple_manifolds;
+namespace po = boost::program_options;
+using Colour = Eigen::Vector3d; // 0 to 1
+
+struct Request {
+  std::string input, output, map, texture;
+  int subdivisions, texels;
+};
+
+/// Blue for -1 or less, light grey for 0, red for 1 or more.
+Colour colour(double x)
+{
+  const Colour end = x < 0 ? Colour(0.23, 0.30, 0.75) : Colour(0.71, 0.02, 0.15);
+  const double t = std::min(std::abs(x), 1.);
+  return (1 - t) * Colour(0.87, 0.87, 0.87) + t * end;
+}
+
+//! [checker]
+/// A checkerboard of 8 x 8 squares on each tile, in the coordinates of its chart.
+template <class Atlas>
+auto bake_checker(int texels)
+{
+  return SM::bake<Atlas>(texels, [](const typename Atlas::Domain_point& p) -> Colour {
+    const Atlas atlas;
+    const int c = atlas.best_chart(p);
+    const Eigen::Vector2d uv = atlas.coordinates(c, p);
+    const bool is_dark = (int(16 * uv[0]) + int(16 * uv[1])) % 2;
+    return (is_dark ? 0.75 : 1) * SM::chart_colour(c);
+  });
+}
+//! [checker]
+
+//! [normals]
+/// The unit normal as a colour, as usual: x, y, z from -1 to 1 are red, green, blue from 0 to 1.
+template <class Surface>
+auto bake_normals(const Surface& surface, int texels)
+{
+  return SM::bake<CGAL::Parallel_if_available_tag>(surface, texels, [](const SM::Jet& e) -> Colour {
+    return (SM::normal(e) + Eigen::Vector3d(1, 1, 1)) / 2;
+  });
+}
+//! [normals]
+
+/// The mean curvature; full colour for the strongest twentieth of the vertices.
+template <class Surface>
+auto bake_curvature(const Surface& surface, const SM::Charted_mesh& mesh, int texels)
+{
+  std::vector<double> sizes;
+  for (double x : mesh.fields[0].values) sizes.push_back(std::abs(x));
+  const auto strong = sizes.begin() + sizes.size() * 19 / 20;
+  std::nth_element(sizes.begin(), strong, sizes.end());
+  std::cout << "mean curvature: blue -" << *strong << ", red " << *strong << '\n';
+  return SM::bake<CGAL::Parallel_if_available_tag>(
+    surface, texels, [scale = *strong](const SM::Jet& e) { return colour(SM::mean_curvature(e) / scale); });
+}
+
+//! [write]
+void write(const std::string& file, const SM::Charted_mesh& mesh)
+{
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension == ".obj") SM::write_obj(file, mesh);
+  else if (extension == ".glb") SM::write_gltf(file, mesh);
+  else if (extension == ".vtp") SM::write_vtp(file, mesh);
+  else SM::write_ply(file, mesh);
+}
+//! [write]
+
+template <class Atlas>
+SM::Charted_mesh mesh_of(const SM::Manifold_map<Atlas>& map, const Request& request)
+{
+  SM::Charted_mesh mesh = SM::charted_mesh(map);
+  if (request.texture == "checker") mesh.images = SM::png_images(bake_checker<Atlas>(request.texels));
+  else if (request.texture != "none") throw po::error("the mesh of a map has only --texture checker");
+  return mesh;
+}
+
+template <class Atlas, class ChartEmbedding, class Bump>
+SM::Charted_mesh mesh_of(const SM::Manifold_surface<Atlas, ChartEmbedding, Bump>& surface,
+                         const Request& request)
+{
+  const auto np = SM::parameters::subdivisions(request.subdivisions);
+  SM::Charted_mesh mesh = request.map.empty()
+                            ? SM::charted_tessellation(surface, np)
+                            : SM::charted_tessellation(surface, SM::read_map<Atlas>(request.map), np);
+  if (request.texture == "normals")
+    mesh.images = SM::png_images(bake_normals(surface, request.texels));
+  else if (request.texture == "curvature")
+    mesh.images = SM::png_images(bake_curvature(surface, mesh, request.texels));
+  else if (request.texture == "checker")
+    mesh.images = SM::png_images(bake_checker<Atlas>(request.texels));
+  return mesh;
+}
+
+/// The bump of a file is a type; these are the ones that fit_mesh writes.
+template <int Smoothness>
+SM::Charted_mesh mesh_of_surface(const Request& request)
+{
+  using Bump = SM::Smoothstep_bump<Smoothness>;
+  const auto any = SM::read_any_surface<Bump, SM::Patch_stack_embedding>(request.input);
+  return std::visit([&](const auto& surface) { return mesh_of(surface, request); }, any);
+}
+
+SM::Charted_mesh mesh_of_file(const Request& request)
+{
+  if (std::filesystem::path(request.input).extension() == ".ply")
+    return std::visit([&](const auto& map) { return mesh_of(map, request); }, SM::read_map(request.input));
+  switch (SM::read_surface_header(request.input).smoothness) {
+    case 1: return mesh_of_surface<1>(request);
+    case 3: return mesh_of_surface<3>(request);
+    default: return mesh_of_surface<2>(request);
+  }
+}
+
+/// \throw po::error
+Request request_of(int argc, char** argv)
+{
+  Request r;
+  po::options_description options(
+    "export_surface SURFACE.json|MAP.ply -o FILE.{obj,glb,vtp,ply} [options]", 100);
+  options.add_options()
+    ("output,o", po::value(&r.output)->required(), "file to write: .obj (with .mtl), .glb, .vtp or .ply")
+    ("map", po::value(&r.map), "map.ply that the surface was fitted to: adds the error as a field")
+    ("texture", po::value(&r.texture)->default_value("none"),
+     "images of the charts (.obj, .glb): none, normals, curvature or checker")
+    ("texels", po::value(&r.texels)->default_value(256), "texels per side of the image of a chart")
+    ("subdivisions", po::value(&r.subdivisions)->default_value(40), "cells per side of a tile")
+    ("input", po::value(&r.input)->required(), "surface.json or map.ply, as fit_mesh writes them");
+  po::positional_options_description positional;
+  positional.add("input", 1);
+  po::variables_map values;
+  try {
+    po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(), values);
+    po::notify(values);
+    const std::string extension = std::filesystem::path(r.output).extension().string();
+    const bool has_images = extension == ".obj" || extension == ".glb";
+    if (!has_images && extension != ".vtp" && extension != ".ply")
+      throw po::error("the output is an .obj, .glb, .vtp or .ply file");
+    const auto textures = {"none", "normals", "curvature", "checker"};
+    if (std::find(textures.begin(), textures.end(), r.texture) == textures.end())
+      throw po::error("--texture is one of none, normals, curvature, checker");
+    if (!has_images && r.texture != "none") throw po::error("only .obj and .glb have a texture");
+    if (r.texels < 2 || r.texels > 8192) throw po::error("--texels must be from 2 to 8192");
+    if (r.subdivisions < 1 || r.subdivisions > 4096)
+      throw po::error("--subdivisions must be from 1 to 4096");
+  } catch (const po::error&) {
+    std::cerr << options;
+    throw;
+  }
+  return r;
+}
+
+int main(int argc, char** argv)
+{
+  try {
+    const Request request = request_of(argc, argv);
+    const SM::Charted_mesh mesh = mesh_of_file(request);
+    write(request.output, mesh);
+    std::cout << request.output << ": " << mesh.atlas << ", " << mesh.points.size() << " vertices, "
+              << mesh.triangles.size() << " triangles, " << mesh.images.size() << " images\n";
+  } catch (const po::error& e) {
+    std::cerr << "export_surface: " << e.what() << std::endl;
+    return 2;
+  } catch (const SM::Error& e) {
+    std::cerr << "export_surface: " << e.what() << std::endl;
+    return 3;
+  }
+  return 0;
+}
