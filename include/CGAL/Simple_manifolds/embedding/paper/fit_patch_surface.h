@@ -245,9 +245,10 @@ private:
 /// the whole chart and decay within d cells outside of their rectangle, see `Spline_patch`; `Patch_solver`
 /// says how patches over one another are told apart.
 ///
-/// `fit_surface()` needs fewer controls for the same error, also because it fits all charts together: here
-/// every chart has to be near the mesh wherever its blend function is not small. The surface is returned also
-/// where the tolerances are not reached: `Patch_fit_report::tolerance_reached` says so.
+/// `fit_surface()` needs half the controls or less for the same error, also because it fits all charts
+/// together: here every chart has to be near the mesh wherever its blend function is not small. The tolerances
+/// speak of vertices; a coarse mesh has larger errors in its faces, see the report. The surface is returned
+/// also where the tolerances are not reached: `Patch_fit_report::tolerance_reached` says so.
 ///
 /// \tparam ConcurrencyTag  `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`:
 ///   charts are fitted at the same time; the result is the same, bit for bit
