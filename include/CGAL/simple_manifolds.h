@@ -55,6 +55,7 @@
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 #include <CGAL/Simple_manifolds/tessellation/Mesh_vertex_count.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_borders.h>
+#include <CGAL/Simple_manifolds/tessellation/Chart_textures.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
 #include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
 #include <CGAL/Simple_manifolds/tessellation/refine_triangulation.h>
