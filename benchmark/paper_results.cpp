@@ -257,7 +257,7 @@ int usage(int status)
     << "Usage: paper_results [-o DIR] [MESH...]\n\n"
        "Maps meshes (default: those of data/) and fits surfaces to them by the paper's method and by the\n"
        "default one. Writes DIR/results.csv, the tables DIR/maps.md and DIR/surfaces.md and, for each mesh\n"
-       "and method, map.ply, surface.json, surface.ply into DIR/MESH/METHOD (default DIR: paper_results).\n";
+       "and method, map.ply, surface.json, surface.ply into DIR/MESH/METHOD (default DIR: out).\n";
   return status;
 }
 
@@ -265,7 +265,7 @@ int usage(int status)
 
 int main(int argc, char** argv)
 try {
-  std::filesystem::path folder = "paper_results";
+  std::filesystem::path folder = "out";
   std::vector<std::string> files;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
