@@ -73,6 +73,30 @@ TEST_CASE("a tessellation has per triangle a chart and coordinates in it")
   CHECK(field(plane, "domain_u").size() == 25);
 }
 
+TEST_CASE("a mesh knows whether its arrays fit together")
+{
+  const SM::Charted_mesh good = SM::charted_tessellation(paraboloid(), SM::parameters::subdivisions(2));
+  CHECK(good.is_valid());
+  CHECK_FALSE(SM::Charted_mesh().is_valid());
+  const auto is_valid_after = [&](const auto& change) {
+    SM::Charted_mesh mesh = good;
+    change(mesh);
+    return mesh.is_valid();
+  };
+  const std::size_t n = good.points.size();
+  CHECK(is_valid_after([&](auto& m) { m.fields.push_back({"thickness_2", std::vector<double>(n)}); }));
+  CHECK(is_valid_after([](auto& m) { m.normals.clear(); }));
+  CHECK_FALSE(is_valid_after([](auto& m) { m.normals.pop_back(); }));
+  CHECK_FALSE(is_valid_after([](auto& m) { m.chart_points.pop_back(); }));
+  CHECK_FALSE(is_valid_after([](auto& m) { m.charts.pop_back(); }));
+  CHECK_FALSE(is_valid_after([](auto& m) { m.charts[0] = -2; }));
+  CHECK_FALSE(is_valid_after([](auto& m) { m.coordinates.pop_back(); }));
+  CHECK_FALSE(is_valid_after([](auto& m) { m.fields[0].values.pop_back(); }));
+  CHECK_FALSE(is_valid_after([](auto& m) { m.fields[0].name = "two words"; }));
+  CHECK_FALSE(is_valid_after([&](auto& m) { m.triangles[1][2] = int(n); }));
+  CHECK_FALSE(is_valid_after([](auto& m) { m.triangles[1][2] = -1; }));
+}
+
 TEST_CASE("any triangulation of the domain can be tessellated")
 {
   const auto surface = ring(3, 1);

@@ -18,11 +18,10 @@
 #include <CGAL/Simple_manifolds/parameters.h>
 #include <CGAL/Simple_manifolds/tessellation/tessellate.h>
 
-#include <CGAL/assertions.h>
-
 #include <Eigen/Core>
 
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -42,7 +41,7 @@ namespace Simple_manifolds {
 struct Charted_mesh {
   /// One number per vertex.
   struct Field {
-    std::string name; ///< one word
+    std::string name;
     std::vector<double> values;
   };
 
@@ -59,6 +58,23 @@ struct Charted_mesh {
   std::vector<std::array<Eigen::Vector2d, 3>> coordinates;
   /// Per chart the contents of a PNG file, as `png_images()` makes them; or none.
   std::vector<std::string> images;
+
+  /// Whether there is a triangle, all arrays have as many entries as there are vertices or triangles, all
+  /// triangles refer to vertices, and the names of fields are words of letters, digits and underscores.
+  bool is_valid() const
+  {
+    const std::size_t n = points.size(), m = triangles.size();
+    bool is_valid = m > 0 && (normals.empty() || normals.size() == n) && chart_points.size() == n
+                 && charts.size() == m && coordinates.size() == m;
+    for (const Field& f : fields) {
+      is_valid = is_valid && f.values.size() == n && !f.name.empty();
+      for (unsigned char c : f.name) is_valid = is_valid && (std::isalnum(c) || c == '_');
+    }
+    for (const Triangle& t : triangles)
+      for (int v : t) is_valid = is_valid && 0 <= v && std::size_t(v) < n;
+    for (int c : charts) is_valid = is_valid && c >= -1;
+    return is_valid;
+  }
 };
 
 namespace internal {
@@ -159,7 +175,7 @@ Charted_mesh charted_tessellation(const Surface& surface, const Map& map, const 
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// A tessellation over any triangulation of the canonical surface.
+/// A tessellation over any triangulation of the canonical surface, e.g. of a `Domain_triangulation`.
 /// \param domain_points  the vertices
 /// \param triangles      positions in `domain_points`
 template <class Surface>

@@ -15,6 +15,8 @@
 #include <CGAL/Simple_manifolds/IO/internal/Byte_buffer.h>
 #include <CGAL/Simple_manifolds/IO/internal/chart_parts.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -186,10 +188,12 @@ private:
 /// border of two charts comes once in each. Positions are in single precision relative to the centre of the
 /// bounding box, axes as they are (viewers show y upwards). Fields are not written.
 ///
+/// \pre `mesh.is_valid()`
 /// \throw IO_error (`cannot_write`), also when a coordinate is too large for single precision; a file that
 ///   was there before is then as it was
 inline void write_gltf(const std::string& file, const Charted_mesh& mesh)
 {
+  CGAL_precondition(mesh.is_valid());
   for (const Eigen::Vector3d& x : mesh.points)
     if (!(x.cwiseAbs().maxCoeff() < std::numeric_limits<float>::max() / 4))
       throw IO_error(Error_code::cannot_write, file,

@@ -14,6 +14,8 @@
 #include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
 #include <CGAL/Simple_manifolds/IO/internal/chart_parts.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -72,9 +74,11 @@ inline void write_obj(std::ostream& out, const Charted_mesh& mesh, const std::ve
 /// without, the colour of its chart. Triangles come chart by chart; fields are not written.
 ///
 /// \param file  NAME.obj
+/// \pre `mesh.is_valid()`
 /// \throw IO_error (`cannot_write`); nothing is then written
 inline void write_obj(const std::string& file, const Charted_mesh& mesh)
 {
+  CGAL_precondition(mesh.is_valid());
   const std::filesystem::path path(file), folder = path.parent_path();
   const std::string name = path.stem().string();
   const std::vector<internal::Chart_part> parts = internal::chart_parts(mesh);

@@ -13,6 +13,8 @@
 #include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
 #include <CGAL/Simple_manifolds/parameters.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <string>
 
@@ -26,6 +28,7 @@ namespace Simple_manifolds {
 /// Writes a mesh as a PLY file. Vertices have the position `x y z`, the normal `nx ny nz` if there is one,
 /// the chart point `chart u v` and all fields, in double precision; faces have a `chart`, or -1.
 ///
+/// \pre `mesh.is_valid()`
 /// \param np  `use_binary_mode` (default: true; false writes text)
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
 template <class NamedParameters = parameters::Default_named_parameters>
@@ -34,6 +37,7 @@ void write_ply(const std::string& file, const Charted_mesh& mesh,
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
+  CGAL_precondition(mesh.is_valid());
   const bool has_normals = !mesh.normals.empty();
 
   Atomic_file output(file);

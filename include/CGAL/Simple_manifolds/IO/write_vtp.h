@@ -12,6 +12,8 @@
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/Byte_buffer.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -70,9 +72,11 @@ private:
 /// Writes a mesh as a VTK XML file of polygonal data (.vtp), for ParaView: per point the normal, if there
 /// is one, `chart`, `uv` (the coordinates in that chart) and all fields, per cell `chart`; in double precision.
 ///
+/// \pre `mesh.is_valid()`
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
 inline void write_vtp(const std::string& file, const Charted_mesh& mesh)
 {
+  CGAL_precondition(mesh.is_valid());
   const std::size_t n = mesh.points.size(), m = mesh.triangles.size();
   internal::Vtk_arrays arrays;
   std::string xml = "<?xml version=\"1.0\"?>\n<!-- simple_manifolds " + mesh.kind + ", atlas " + mesh.atlas
