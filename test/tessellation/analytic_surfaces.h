@@ -77,6 +77,30 @@ public:
   }
 };
 
+/// The unit sphere with one narrow bump of height 0.3 in the direction (2,-3,6)/7.
+class Bump_embedding {
+public:
+  explicit Bump_embedding(int chart) : chart_(chart) {}
+
+  int smoothness() const { return 9; }
+
+  Eigen::Vector3d point(const Eigen::Vector2d& uv) const
+  {
+    const Eigen::Vector3d p = SM::Sphere_atlas().chart(chart_).point(uv), top = Eigen::Vector3d(2, -3, 6) / 7;
+    return (1 + 0.3 * std::exp(-40 * (1 - p.dot(top)))) * p;
+  }
+
+private:
+  int chart_;
+};
+
+inline SM::Manifold_surface<SM::Sphere_atlas, Bump_embedding> sphere_with_bump()
+{
+  std::vector<Bump_embedding> charts;
+  for (int c = 0; c < 6; ++c) charts.emplace_back(c);
+  return SM::Manifold_surface<SM::Sphere_atlas, Bump_embedding>(charts);
+}
+
 inline SM::Manifold_surface<SM::Sphere_atlas, Ellipsoid_embedding> ellipsoid(const Eigen::Vector3d& half_axes)
 {
   std::vector<Ellipsoid_embedding> charts;

@@ -11,7 +11,9 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -192,4 +194,103 @@ TEST_CASE("by default there are about 6000 cells, whatever the surface")
     CHECK(mesh->number_of_faces() >= 12000);
     CHECK(mesh->number_of_faces() <= 12600);
   }
+}
+
+TEST_CASE("with a criterion the mesh is adaptive, and still closed, conforming and oriented")
+{
+  const auto surface = sphere_with_bump();
+  Mesh mesh, again, grid;
+  SM::Tessellation_report report;
+  const auto np = SM::parameters::chord_error(1e-3).tessellation_report(std::ref(report));
+  SM::tessellate(surface, mesh, np);
+  CHECK(report.is_fine_enough);
+  CHECK(report.worst <= 1);
+  CHECK(mesh.number_of_faces() == std::size_t(report.faces));
+  CHECK(mesh.is_valid());
+  CHECK(CGAL::is_closed(mesh));
+  CHECK(CGAL::is_triangle_mesh(mesh));
+  CHECK(euler_characteristic(mesh) == 2);
+  CHECK(PMP::volume(mesh) > 4.1); // the unit sphere, without what is cut off, and the bump
+  SM::tessellate(surface, again, np);
+  CHECK(std::equal(mesh.points().begin(), mesh.points().end(), again.points().begin(), again.points().end()));
+
+  Polyhedron polyhedron;
+  SM::tessellate(surface, polyhedron, np);
+  CHECK(polyhedron.is_closed());
+  REQUIRE(polyhedron.size_of_vertices() == mesh.number_of_vertices());
+  CHECK(std::equal(polyhedron.points_begin(), polyhedron.points_end(), mesh.points().begin()));
+}
+
+TEST_CASE("an adaptive mesh fills the property maps too")
+{
+  const auto surface = ellipsoid(Eigen::Vector3d(1, 2, 3));
+  Mesh mesh;
+  auto normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
+  auto domain = mesh.add_property_map<Mesh::Vertex_index, Eigen::Vector3d>("v:domain").first;
+  auto where = mesh.add_property_map<Mesh::Vertex_index, SM::Chart_point>("v:where").first;
+  SM::tessellate(surface, mesh, SM::parameters::chord_error(1e-3).normal_map(normals).chart_point_map(where)
+                                  .domain_point_map(domain));
+  double error = 0;
+  for (auto v : vertices(mesh)) {
+    const Eigen::Vector3d p = domain[v];
+    const Eigen::Vector3d n = Eigen::Vector3d(p.x(), p.y() / 2, p.z() / 3).normalized();
+    error = std::max({error, (n - Eigen::Vector3d(normals[v].x(), normals[v].y(), normals[v].z())).norm(),
+                      (SM::Sphere_atlas().point(where[v]) - p).norm(),
+                      std::abs(mesh.point(v).z() - 3 * p.z())});
+  }
+  CHECK(mesh.number_of_faces() > 1000);
+  CHECK(error < 1e-13);
+}
+
+TEST_CASE("all criteria together hold, and each of them counts")
+{
+  const auto surface = paraboloid();
+  const double diagonal = std::sqrt(3.);
+  const auto corner = [](const auto& t, int f) { // a rule of one's own: fine near the origin
+    return t.point(f, Eigen::Vector3d::Constant(1. / 3)).norm() < 0.2 && t.level(f) < 5 ? 2. : 0.;
+  };
+  const auto faces_of = [&](const auto& np) {
+    Mesh mesh;
+    SM::tessellate(surface, mesh, np);
+    return mesh.number_of_faces();
+  };
+  const auto chord = SM::parameters::chord_error(2e-4);
+  Mesh mesh;
+  SM::tessellate(surface, mesh, chord.edge_length(0.05).sizing(corner));
+  double longest = 0, shortest = 1;
+  for (auto e : edges(mesh)) {
+    const Point p = mesh.point(source(e, mesh)), q = mesh.point(target(e, mesh));
+    const double l = std::sqrt(CGAL::squared_distance(p, q));
+    longest = std::max(longest, l);
+    shortest = std::min(shortest, l);
+  }
+  CHECK(longest <= 0.05 * diagonal);
+  CHECK(shortest < 0.1 / 16); // five levels below a cell of the start grid
+  CHECK(euler_characteristic(mesh) == 1);
+  CHECK(mesh.number_of_faces() > faces_of(chord.edge_length(0.05)));
+  CHECK(mesh.number_of_faces() > faces_of(SM::parameters::sizing(corner)));
+  CHECK(faces_of(chord) > 200);
+}
+
+TEST_CASE("parameters of the start grid and the limit of faces")
+{
+  const auto surface = ring(3, 1);
+  Mesh coarse, limited, averaged, exact;
+  SM::tessellate(surface, coarse, SM::parameters::chord_error(1.).subdivisions(2));
+  CHECK(coarse.number_of_faces() == 72);
+  SM::Tessellation_report report;
+  SM::tessellate(surface, limited, SM::parameters::edge_length(1e-3).max_faces(std::size_t(2000))
+                                     .tessellation_report(std::ref(report)));
+  CHECK(limited.number_of_faces() <= 2000);
+  CHECK_FALSE(report.is_fine_enough);
+  CHECK(CGAL::is_closed(limited));
+
+  const auto sphere = ellipsoid(Eigen::Vector3d(1, 1, 1));
+  const auto np = SM::parameters::subdivisions(2);
+  SM::tessellate(sphere, exact, np);
+  SM::tessellate(sphere, averaged, np.tile_borders(SM::Tile_borders::AVERAGED));
+  CHECK(averaged.is_valid());
+  CHECK(CGAL::is_closed(averaged));
+  CHECK(averaged.number_of_vertices() == exact.number_of_vertices());
+  CHECK_FALSE(std::equal(averaged.points().begin(), averaged.points().end(), exact.points().begin()));
 }

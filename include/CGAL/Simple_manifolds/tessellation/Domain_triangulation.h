@@ -97,8 +97,8 @@ public:
   int level(int f) const { return red_[red_of_[f]].level; }
   /// Whether the face is a piece of a face that was split by neighbours, into two or three.
   bool is_green(int f) const { return red_[red_of_[f]].split_sides != 0; }
-  /// The number that the face had before the last call of `refine()`, or -1 when it is new: what was measured
-  /// on faces need not be measured again.
+  /// The number that the face had before the last call of `refine()`, or -1 when it is new or was one of
+  /// the pieces of a green face: what was measured on faces need not be measured again.
   int previous(int f) const { return previous_[f]; }
 
   /// A point of a face.

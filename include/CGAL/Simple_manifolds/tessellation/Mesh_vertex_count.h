@@ -9,13 +9,15 @@
 #define CGAL_SIMPLE_MANIFOLDS_TESSELLATION_MESH_VERTEX_COUNT_H
 
 #include <CGAL/Simple_manifolds/correspondence/internal/Point_locator.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/domain_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 
 #include <CGAL/assertions.h>
 
+#include <Eigen/Core>
+
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 /// \file
@@ -23,11 +25,37 @@
 namespace CGAL {
 namespace Simple_manifolds {
 
+namespace internal {
+
+// The side of the edge p q to which an infinitesimal step leads from a point x of it: by e along the first
+// axis, e^2 along the second (and e^3 along the third). All signs are exact.
+
+inline int side_of_step(const Sphere_atlas& atlas, const Eigen::Vector3d& p, const Eigen::Vector3d& q,
+                        const Eigen::Vector3d&)
+{
+  int side = 0;
+  for (int k = 0; k < 3 && side == 0; ++k) side = atlas.orientation(p, q, Eigen::Vector3d::Unit(k));
+  return side;
+}
+
+template <class Atlas>
+int side_of_step(const Atlas& atlas, const Eigen::Vector2d& p, const Eigen::Vector2d& q,
+                 const Eigen::Vector2d& x)
+{
+  const Eigen::Vector2d d = flat_edges(atlas, p, q, q).first;
+  const double side = d.y() != 0 ? (x.x() < 1 ? -d.y() : d.y())  // back from the far sides of the square
+                                 : (x.y() < 1 ? d.x() : -d.x());
+  return side < 0 ? -1 : 1;
+}
+
+} // namespace internal
+
 /// \ingroup PkgSimpleManifoldsTessellation
 ///
 /// The paper's criterion (Grimm 2002, section 4.1): no face may have more than n vertices of the mesh mapped
-/// to it. The faces are found with exact signs, and each vertex counts in exactly one of them: one of those
-/// round it when it lies on an edge or a vertex. Vertices of virtual faces do not count.
+/// to it. The faces are found with exact signs, and each vertex counts in exactly one of them: when it lies
+/// on an edge or at a vertex, in that to which an infinitesimal step in a fixed direction leads. Vertices
+/// of virtual faces do not count.
 ///
 /// \tparam Map  a model of `ManifoldMap`
 /// \cgalModels{TessellationSizing}
@@ -50,20 +78,38 @@ public:
   std::vector<int> counts(const Triangulation& t) const
   {
     const internal::Triangle_soup soup(t.number_of_vertices(), t.triangles());
-    const internal::Point_locator<typename Map::Atlas> locator(t.domain_points(), t.triangles(),
-                                                               internal::opposite_half_edges(soup));
+    const std::vector<int> opposite = internal::opposite_half_edges(soup);
+    const internal::Point_locator<typename Map::Atlas> locator(t.domain_points(), t.triangles(), opposite);
     std::vector<int> count(t.number_of_faces(), 0);
     int hint = -1;
     for (std::size_t v = 0; v < map_->number_of_vertices(); ++v) {
       if (map_->is_virtual_vertex(v)) continue;
-      hint = locator.locate(t.atlas(), t.domain_points(), t.triangles(), map_->domain_point(v), hint).face;
+      const Domain_point& x = map_->domain_point(v);
+      hint = locator.locate(t.atlas(), t.domain_points(), t.triangles(), x, hint).face;
       CGAL_assertion(hint != -1); // the faces cover the domain
+      for (int exit = exit_of(t, hint, x); exit != -1; exit = exit_of(t, hint, x)) // turns about x
+        hint = opposite[3 * hint + exit] / 3;
       ++count[hint];
     }
     return count;
   }
 
 private:
+  using Domain_point = typename Map::Domain_point;
+
+  // A side of the face beyond which x is after the step, or -1. The step must not depend on the faces: else a
+  // face could get a vertex because its neighbour is split.
+  static int exit_of(const Triangulation& t, int f, const Domain_point& x)
+  {
+    for (int k = 0; k < 3; ++k) {
+      const Domain_point &p = t.domain_points()[t.triangles()[f][k]],
+                         &q = t.domain_points()[t.triangles()[f][(k + 1) % 3]];
+      const int sign = t.atlas().orientation(p, q, x);
+      if (sign < 0 || (sign == 0 && internal::side_of_step(t.atlas(), p, q, x) < 0)) return k;
+    }
+    return -1;
+  }
+
   const Map* map_;
   int n_;
 };
