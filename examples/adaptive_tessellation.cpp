@@ -25,6 +25,7 @@ int main(int argc, char** argv)
     const auto map = SM::map_to_sphere(mesh);
     const auto surface = SM::fit_surface(map, SM::parameters::max_error(1e-2));
 
+    //! [criteria]
     // No point of the surface is farther from the triangles than a thousandth of the diagonal.
     Mesh fine;
     SM::Tessellation_report report;
@@ -45,7 +46,7 @@ int main(int argc, char** argv)
     };
     const auto triangles = SM::adaptive_triangulation(surface, SM::parameters::sizing(rule).edge_length(0.1));
     std::cout << triangles.number_of_faces() << " faces, with more in tile 4\n";
-    // end of the criteria
+    //! [criteria]
   } catch (const SM::Error& e) {
     std::cerr << e.what() << std::endl;
     return EXIT_FAILURE;
