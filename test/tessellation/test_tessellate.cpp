@@ -150,7 +150,8 @@ TEST_CASE("each cell is cut along its shorter diagonal")
   // A square cell whose diagonals are equal in space takes the first; a sheared one the shorter.
   const SM::Tile_grid<SM::Plane_atlas> grid(1);
   REQUIRE(grid.cells().size() == 1);
-  const auto [a, b, c, d] = grid.cells()[0];
+  const auto& cell = grid.cells()[0];
+  const int a = cell[0], b = cell[1], c = cell[2], d = cell[3];
   std::vector<Eigen::Vector3d> points(4);
   const auto place = [&](double shear) {
     points[a] = {0, 0, 0};
