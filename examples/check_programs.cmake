@@ -1,5 +1,5 @@
 # cmake -DPART=good_input|bad_input|usage -DMAP_MESH=<program> -DFIT_MESH=<program> -DMESHES=<folder>
-#       -DWORK=<empty folder> -P check_programs.cmake
+#       -DWORK=<empty folder> -DHAS_REPORT=ON|OFF -P check_programs.cmake
 #
 # The contract of map_mesh and fit_mesh: exit status, one line on stderr with the numbers, and either all
 # files or none.
@@ -42,6 +42,14 @@ endfunction()
 # ---- Input that must work ---------------------------------------------------------------------------
 if(PART STREQUAL good_input)
   set(fitted map.ply surface.json surface.ply metrics.json)
+  if(HAS_REPORT)
+    list(APPEND fitted report.html)
+    run(0 "" ${MAP_MESH} ${MESHES}/sphere.off -o ${WORK}/reported.ply --report ${WORK}/reported.html)
+    run(2 "none" ${MAP_MESH} ${MESHES}/sphere.off -o ${WORK}/none.ply --report ${WORK}/none/r.html)
+    if(NOT EXISTS ${WORK}/reported.html OR EXISTS ${WORK}/none.ply)
+      message(SEND_ERROR "map_mesh --report: no report, or a map without its report")
+    endif()
+  endif()
   foreach(mesh sphere torus_quad nefertiti)
     run(0 "" ${MAP_MESH} ${MESHES}/${mesh}.off -o ${WORK}/${mesh}.ply --metrics ${WORK}/${mesh}.json)
     run(0 "" ${MAP_MESH} ${MESHES}/${mesh}.off -o ${WORK}/paper.ply --metrics ${WORK}/paper.json --method paper)

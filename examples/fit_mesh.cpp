@@ -146,8 +146,8 @@ Json parameters_of(const Job& job)
 
 // Writes the files; `errors` is what is said of the fit.
 template <class Map, class Surface>
-int write(Job& job, const Map& map, const Surface& surface, Json metrics_of_fit, Json parameters,
-          const std::string& errors)
+int write(Job& job, const Map& map, const Surface& surface, const SM::Fit_report& report, Json metrics_of_fit,
+          Json parameters, const std::string& errors)
 {
   const bool has_reached = metrics_of_fit["tolerance_reached"], is_quiet = job.options.get<bool>("quiet");
   Json metrics;
@@ -173,10 +173,17 @@ int write(Job& job, const Map& map, const Surface& surface, Json metrics_of_fit,
       SM::write_samples(job.folder.file("samples.csv"), surface,
                         SM::random_domain_points<typename Map::Atlas>(job.request.samples));
   });
+  if (has_report)
+    job.watch.time("report", [&] {
+      write_page(job.folder.file("report.html"), completed(metrics, "fit_mesh", job.watch), map, surface,
+                 report);
+    });
   SM::Atomic_file metrics_file(job.folder.file("metrics.json"));
-  write_metrics(metrics_file, "fit_mesh", std::move(metrics), job.watch);
+  write_metrics(metrics_file, completed(std::move(metrics), "fit_mesh", job.watch));
   job.folder.commit();
 
+  if (!has_report && !is_quiet)
+    std::cerr << "fit_mesh: no report.html: zlib or three.js was missing when fit_mesh was built\n";
   if (!is_quiet)
     std::cout << summary(job.input, map) << "; " << errors << "; " << shown(job.watch.total()) << " s"
               << std::endl;
@@ -216,8 +223,8 @@ int fit_hierarchical(Job& job, const Map& first_map, const Bump& bump)
     std::cerr << "fit_mesh: " << report.controls << " controls for a mesh of " << report.vertices
               << " vertices: the surface reproduces facets; a larger tolerance"
               << (only_vertices ? " needs fewer\n" : " or --marking vertices needs fewer\n");
-  return write(job, corrected ? *corrected : first_map, surface, metrics_of_surface(report), parameters,
-               std::string(only_vertices ? "at vertices " : "") + "rms error "
+  return write(job, corrected ? *corrected : first_map, surface, report, metrics_of_surface(report),
+               parameters, std::string(only_vertices ? "at vertices " : "") + "rms error "
                  + shown(only_vertices ? report.vertex_rms_error : report.rms_error) + " (tolerance "
                  + shown(request.average) + "), max "
                  + shown(only_vertices ? report.vertex_max_error : report.max_error) + " (tolerance "
@@ -250,7 +257,7 @@ int fit_patches(Job& job, const Map& map)
   }
   Json parameters = parameters_of(job);
   parameters["max_patches"] = request.patches;
-  return write(job, map, surface, std::move(metrics), parameters,
+  return write(job, map, surface, report.surface, std::move(metrics), parameters,
                "weighted error of a chart at vertices " + shown(average) + " on average (tolerance "
                  + shown(request.average) + "), max " + shown(maximum) + " (tolerance "
                  + shown(request.maximum) + "), rms error " + shown(report.surface.rms_error)
@@ -266,8 +273,8 @@ int main(int argc, char** argv)
       "fit_mesh INPUT -o DIR [options]",
       "Fits a smooth surface to a mesh (OFF, OBJ, PLY, STL; closed of genus 0 or 1, or a disk) and writes\n"
       "into DIR: map.ply (a map that suits the fit: angles before areas), surface.json, surface.ply,\n"
-      "metrics.json and, with --samples, samples.csv. With --method paper both the map and the fit are\n"
-      "those of Grimm 2002.\n"
+      "metrics.json, report.html (all this for a browser) and, with --samples, samples.csv.\n"
+      "With --method paper both the map and the fit are those of Grimm 2002.\n"
       "Exit status: 0 success, 1 tolerance not reached (the files are written), 2 usage, 3 unreadable\n"
       "input, 4 unsupported topology or geometry.");
     options.add("surface", po::value<std::string>(),

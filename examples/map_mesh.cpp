@@ -49,6 +49,7 @@ int main(int argc, char** argv)
     options.add("balance", po::bool_switch(), "give the charts equal numbers of vertices");
     options.add("refine", po::bool_switch(), "split edges so that every star lies in a chart");
     options.add("metrics", po::value<std::string>(), "also write figures to this JSON file");
+    options.add("report", po::value<std::string>(), "also write a page that shows the map in a browser");
     options.parse(argc, argv);
     options.require_choice("energy", {"symmetric_dirichlet", "amips"});
     const double lambda = options.get<double>("lambda");
@@ -58,6 +59,8 @@ int main(int argc, char** argv)
     options.require_choice("effort", {"fast", "default", "quality"});
     const std::string effort = options.get<std::string>("effort");
     const bool is_amips = options.get<std::string>("energy") == "amips";
+    if (options.has("report") && !has_report)
+      throw Usage_error("--report needs zlib and three.js, which were missing when map_mesh was built");
     const bool is_quiet = options.get<bool>("quiet");
     const std::string file = options.get<std::string>("output");
 
@@ -93,10 +96,14 @@ int main(int argc, char** argv)
                                {"refine", options.get<bool>("refine")}};
       metrics["map"]["criteria"] = metrics_of_criteria(map);
       if (is_paper(options)) metrics["partition"] = metrics_of_partition(partition);
-      std::optional<SM::Atomic_file> metrics_file; // opened first: no map without its metrics
+      std::optional<SM::Atomic_file> metrics_file; // first: no map without its metrics
       if (options.has("metrics")) metrics_file.emplace(options.get<std::string>("metrics"));
+      if (options.has("report"))
+        watch.time("report", [&] {
+          write_page(options.get<std::string>("report"), completed(metrics, "map_mesh", watch), map);
+        });
       watch.time("write", [&] { SM::write_map(file, map); });
-      if (metrics_file) write_metrics(*metrics_file, "map_mesh", metrics, watch);
+      if (metrics_file) write_metrics(*metrics_file, completed(metrics, "map_mesh", watch));
       if (!is_quiet)
         std::cout << summary(input, map) << "; angle " << shown(metrics["map"]["angle"]) << ", area "
                   << shown(metrics["map"]["area"]) << "; " << shown(watch.total()) << " s\n"

@@ -19,6 +19,12 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/version.h>
 
+#ifdef SIMPLE_MANIFOLDS_HAS_REPORT // of the CMake target CGAL::Simple_manifolds_report
+#include <CGAL/Simple_manifolds/IO/write_report.h>
+
+#include <simple_manifolds_report_page.h>
+#endif
+
 #include <nlohmann/json.hpp>
 
 #include <sys/resource.h>
@@ -246,15 +252,38 @@ inline long long peak_memory_in_bytes()
 #endif
 }
 
-/// Adds the metrics that both programs have, and completes the file; call it last, since it reads the clock.
-inline void write_metrics(SM::Atomic_file& output, const char* program, Json metrics, const Stopwatch& watch)
+/// The metrics with those that both programs have; call it last, since it reads the clock.
+inline Json completed(Json metrics, const char* program, const Stopwatch& watch)
 {
   metrics["seconds"] = watch.seconds();
   metrics["peak_memory_bytes"] = peak_memory_in_bytes();
   metrics["program"] = program;
   metrics["version"] = {{"simple_manifolds", SIMPLE_MANIFOLDS_VERSION}, {"cgal", CGAL_VERSION_STR}};
+  return metrics;
+}
+
+/// Writes metrics and completes the file.
+inline void write_metrics(SM::Atomic_file& output, const Json& metrics)
+{
   output.stream() << metrics.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   output.commit();
+}
+
+#ifdef SIMPLE_MANIFOLDS_HAS_REPORT
+constexpr bool has_report = true;
+#else
+constexpr bool has_report = false;
+#endif
+
+/// Writes the report of a map, or of a surface too: `surface_and_fit_report`. Nothing without `has_report`.
+template <class Map, class... Surface_and_fit_report>
+void write_page([[maybe_unused]] const std::string& file, [[maybe_unused]] const Json& metrics,
+                [[maybe_unused]] const Map& map,
+                [[maybe_unused]] const Surface_and_fit_report&... surface_and_fit_report)
+{
+#ifdef SIMPLE_MANIFOLDS_HAS_REPORT
+  SM::write_report(file, map, surface_and_fit_report..., metrics, simple_manifolds_report_page);
+#endif
 }
 
 /// E.g. "0.00123".

@@ -50,7 +50,7 @@ function make_view(data, atlas) {
   const container = by_id('panels'), view = new View(container, container.querySelector('canvas'));
   const add = (title, corners, shape, text) => {
     const label = element('h3', {}, title, element('small', {}, text));
-    const box = element('div', { class: 'panel', tabindex: 0, role: 'group', 'aria-roledescription': '3D view',
+    const box = element('div', { class: shape ? 'panel domain' : 'panel', tabindex: 0, role: 'group', 'aria-roledescription': '3D view',
                                  'aria-label': `${title}: ${text}` }, label);
     container.append(box);
     return view.add(box, corners, atlas, shape);

@@ -17,7 +17,7 @@ function axis(low, high, from, to, is_logarithmic) {
   if (is_logarithmic) {
     const decades = b - a;
     for (let d = Math.floor(a); d <= b; ++d)
-      for (const m of decades > 2.5 ? [1] : decades > 1.2 ? [1, 3] : [1, 2, 5]) {
+      for (const m of decades > 2.5 ? [1] : decades > 1.2 ? [1, 3] : decades > 0.7 ? [1, 2, 5] : [1, 1.2, 1.5, 2, 3, 5, 7, 8.5]) {
         const x = m * 10 ** d;
         if (x >= low * 0.999 && x <= high * 1.001) ticks.push(x);
       }
@@ -103,7 +103,6 @@ function errors_per_chart(fit) {
   if (!y) return null;
   const plot = frame('Errors per chart', null, y, 'chart', short, percent);
   const step = (plot_width - plot_right - plot_left) / fit.charts.length;
-  tolerance_lines(plot, y, fit);
   fit.charts.forEach((c, k) => {
     const x = plot_left + (k + 0.5) * step, colour = '#' + chart_colours[k];
     plot.append(svg('text', { x, y: plot_height - plot_bottom + 17, 'text-anchor': 'middle' }, k));
@@ -113,6 +112,7 @@ function errors_per_chart(fit) {
                     svg('circle', { class: 'dotted', cx: x, cy: y.at(c.rms), r: 5, fill: colour }),
                     svg('rect', { x: x - 7, y: y.at(c.max) - 1.5, width: 14, height: 3, fill: colour })));
   });
+  tolerance_lines(plot, y, fit);
   return figure('Errors per chart', plot, 'root mean square (dot) and largest (bar), shares of the diagonal.');
 }
 

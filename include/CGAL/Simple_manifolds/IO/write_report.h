@@ -97,7 +97,8 @@ public:
     Atomic_file output(file);
     output.stream() << page.substr(0, at)
                     << "<script id=\"info\" type=\"application/json\">" << info << "</script>\n"
-                    << "<script id=\"arrays\" type=\"application/octet-stream\">" << arrays_.text() << "</script>"
+                    << "<script id=\"arrays\" type=\"application/octet-stream\">" << arrays_.text()
+                    << "</script>"
                     << page.substr(at + mark.size());
     output.commit();
   }
@@ -121,7 +122,7 @@ private:
 /// chart coordinates or by distortion, and the figures as a table. The page is one file that needs nothing
 /// else, neither other files nor a network. Of meshes with more than 100,000 faces it shows a simplification.
 ///
-/// \param figures  what the page lists as a table: groups of named values, as in the `metrics.json` of `fit_mesh`
+/// \param figures  what the page lists as a table: groups of named values, as in `metrics.json` of `fit_mesh`
 /// \param page  the page without its data: `simple_manifolds_report_page`, in the header
 ///   `simple_manifolds_report_page.h` that the CMake target `CGAL::Simple_manifolds_report` provides
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
@@ -134,8 +135,8 @@ void write_report(const std::string& file, const Map& map, const nlohmann::order
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// The same with a surface that was fitted to the map: a third panel shows it, and the fit error, its curvatures
-/// and its control nets can be shown.
+/// The same with a surface that was fitted to the map: a third panel shows it, and the fit error, its
+/// curvatures and its control nets can be shown.
 /// \param report  of the fit
 template <class Map, class Surface>
 void write_report(const std::string& file, const Map& map, const Surface& surface, const Fit_report& report,

@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-// Simplifies the mesh of a map for display, by collapses of edges, short ones first. The vertices that are left
-// are vertices of the map, with their domain points, and the faces stay positive in the domain.
+// Simplifies the mesh of a map for display, by collapses of edges, short ones first. The vertices that are
+// left are vertices of the map, with their domain points, and the faces stay positive in the domain.
 template <class Map>
 class Map_simplification {
   using Point = Simple_cartesian<double>::Point_3;
@@ -84,18 +84,17 @@ private:
     template <class Profile>
     auto operator()(const Profile& profile) const
     {
-      const auto nowhere = decltype(Surface_mesh_simplification::Midpoint_placement<Mesh>()(profile))();
-      const Mesh& mesh = profile.surface_mesh();
-      if (!CGAL::is_border(profile.v1(), mesh).has_value() && may_replace(profile, profile.v1(), profile.v0()))
-        return decltype(nowhere)(profile.p0());
-      if (!CGAL::is_border(profile.v0(), mesh).has_value() && may_replace(profile, profile.v0(), profile.v1()))
-        return decltype(nowhere)(profile.p1());
-      return nowhere;
+      using Place = decltype(Surface_mesh_simplification::Midpoint_placement<Mesh>()(profile)); // optional
+      if (may_replace(profile, profile.v1(), profile.v0()))
+        return Place(profile.p0());
+      return may_replace(profile, profile.v0(), profile.v1()) ? Place(profile.p1()) : Place();
     }
 
     template <class Profile>
     bool may_replace(const Profile& profile, Vertex removed, Vertex kept) const
     {
+      if (CGAL::is_border(removed, profile.surface_mesh()).has_value())
+        return false;
       for (const auto& t : profile.triangles()) {
         const std::array<Vertex, 3> before = {t.v0, t.v1, t.v2};
         std::array<int, 3> v, w;
@@ -110,8 +109,8 @@ private:
         const auto normal = [&](const std::array<int, 3>& a) {
           return (map->point(a[1]) - map->point(a[0])).cross(map->point(a[2]) - map->point(a[0])).eval();
         };
-        if (map->atlas().orientation(map->domain_point(w[0]), map->domain_point(w[1]), map->domain_point(w[2])) <= 0
-            || normal(v).dot(normal(w)) < 0)
+        const auto domain = [&](int k) { return map->domain_point(w[k]); };
+        if (map->atlas().orientation(domain(0), domain(1), domain(2)) <= 0 || normal(v).dot(normal(w)) < 0)
           return false;
       }
       return true;

@@ -54,7 +54,8 @@ Face_distortions face_distortions(const Map& map)
     area[f] = e0.cross(e1).norm() / 2;
     domain_area[f] = signed_area(map.atlas(), a, b, c);
     const auto flat = flat_edges(map.atlas(), a, b, c);
-    const auto [s1, s2] = singular_values(root * flatten(flat.first, flat.second) * flatten(e0, e1).inverse());
+    const Eigen::Matrix2d to_domain = flatten(flat.first, flat.second) * flatten(e0, e1).inverse();
+    const auto [s1, s2] = singular_values(root * to_domain);
     d.angle.push_back(area[f] > 0 ? s1 / s2 : std::numeric_limits<double>::quiet_NaN());
   }
   const double scale = sum(area) / sum(domain_area);
@@ -75,7 +76,8 @@ struct Report_mesh {
   std::vector<double> angle, log10_area;  // per face
   std::vector<double> error, mean_curvature, gaussian_curvature; // per vertex
 
-  void add_to(Report_arrays& arrays, const std::string& name, const Eigen::Vector3d& centre, double unit) const
+  void add_to(Report_arrays& arrays, const std::string& name, const Eigen::Vector3d& centre,
+              double unit) const
   {
     std::vector<Eigen::Vector3d> places;
     for (const Eigen::Vector3d& p : points)
@@ -109,8 +111,16 @@ struct Report_mesh {
   }
 };
 
-// The mesh of a map, without virtual faces; with about `max_faces` faces if it has more. Faces of a simplified
-// mesh have the distortion of the map at their centre.
+// The domain point of the centre of a triangle.
+template <class Atlas>
+typename Atlas::Domain_point centre_of(const Atlas& atlas, const std::vector<typename Atlas::Domain_point>& p,
+                                       const Triangle& t)
+{
+  return atlas.interpolate(p[t[0]], p[t[1]], p[t[2]], Eigen::Vector3d::Constant(1. / 3));
+}
+
+// The mesh of a map, without virtual faces; with about `max_faces` faces if it has more. Faces of a
+// simplified mesh have the distortion of the map at their centre.
 template <class Map>
 Report_mesh<typename Map::Atlas> report_mesh(const Map& map, const Face_distortions& distortions,
                                              std::size_t max_faces)
@@ -135,7 +145,7 @@ Report_mesh<typename Map::Atlas> report_mesh(const Map& map, const Face_distorti
   const auto& p = mesh.domain_points;
   int hint = -1;
   for (const Triangle& t : simplification.faces) {
-    hint = map.to_mesh(map.atlas().interpolate(p[t[0]], p[t[1]], p[t[2]], Eigen::Vector3d::Constant(1. / 3)), hint).face;
+    hint = map.to_mesh(centre_of(map.atlas(), p, t), hint).face;
     if (map.is_virtual(hint)) continue; // across a border that was closed
     mesh.faces.push_back(t);
     mesh.charts.push_back(default_chart(map.atlas(), p[t[0]], p[t[1]], p[t[2]]));
@@ -147,8 +157,9 @@ Report_mesh<typename Map::Atlas> report_mesh(const Map& map, const Face_distorti
 
 // A tessellation of a surface. The distortion of a face is that of the map at its centre.
 template <class Map, class Surface>
-Report_mesh<typename Map::Atlas> report_tessellation(const Map& map, const Surface& surface, int subdivisions,
-                                                     const Face_distortions& distortions)
+Report_mesh<typename Map::Atlas>
+report_tessellation(const Map& map, const Surface& surface, int subdivisions,
+                    const Face_distortions& distortions)
 {
   const Tile_grid<typename Map::Atlas> grid(subdivisions, surface.atlas());
   Report_mesh<typename Map::Atlas> mesh;
@@ -161,9 +172,7 @@ Report_mesh<typename Map::Atlas> report_tessellation(const Map& map, const Surfa
   }
   int hint = -1;
   for (const Triangle& t : triangulate(grid, mesh.points)) {
-    const auto& p = grid.domain_points();
-    const auto centre
-      = map.atlas().interpolate(p[t[0]], p[t[1]], p[t[2]], Eigen::Vector3d::Constant(1. / 3));
+    const auto centre = centre_of(map.atlas(), grid.domain_points(), t);
     hint = map.to_mesh(centre, hint).face;
     if (map.is_virtual(hint)) continue; // no part of the mesh
     mesh.faces.push_back(t);

@@ -67,7 +67,8 @@ void for_each_control_cell(const Patch_stack_embedding& e, const Function& f)
   const double du = (s[2] - s[0]) / nu, dv = (s[3] - s[1]) / nv;
   for (int i = 0; i < nu; ++i)
     for (int j = 0; j < nv; ++j)
-      f(Chart_box(Eigen::Vector2d(s[0] + i * du, s[1] + j * dv), Eigen::Vector2d(s[0] + (i + 1) * du, s[1] + (j + 1) * dv)),
+      f(Chart_box(Eigen::Vector2d(s[0] + i * du, s[1] + j * dv),
+                  Eigen::Vector2d(s[0] + (i + 1) * du, s[1] + (j + 1) * dv)),
         [&](int k, int l) { return patch.coefficient(i + k, j + l); }, patch.degree());
 }
 
@@ -75,25 +76,28 @@ void for_each_control_cell(const Patch_stack_embedding& e, const Function& f)
 template <class Embedding, class Function>
 void for_each_control_cell(const Embedding&, const Function&) {}
 
-// The corners of the control cells of all charts, four by four; of each chart those inside of its tile. Controls
-// nearer to the border of a chart have little weight there: they may be anywhere. `charts` receives the chart
-// of each cell.
+// The corners of the control cells of all charts, four by four; of each chart those inside of its tile.
+// Controls nearer to the border of a chart have little weight there: they may be anywhere. `charts` receives
+// the chart of each cell.
 template <class Surface>
 std::vector<Eigen::Vector3d> control_cells(const Surface& surface, std::vector<int>& charts)
 {
   std::vector<Eigen::Vector3d> corners;
   for (int c = 0; c < Surface::Atlas::number_of_charts; ++c) {
     const auto is_in_tile = [&](const Eigen::Vector2d& uv) {
-      return Surface::Atlas::number_of_charts == 1
-          || (is_in_open_unit_square(uv) && surface.atlas().tile(surface.atlas().point(Chart_point{c, uv})) == c);
+      if (Surface::Atlas::number_of_charts == 1)
+        return true;
+      const auto& atlas = surface.atlas();
+      return is_in_open_unit_square(uv) && atlas.tile(atlas.point(Chart_point{c, uv})) == c;
     };
-    for_each_control_cell(surface.chart_embedding(c), [&](const Chart_box& box, const auto& control, int degree) {
+    const auto add = [&](const Chart_box& box, const auto& control, int degree) {
       for (int k = 0; k < 4; ++k)
         if (!is_in_tile(box.corner(Chart_box::CornerType(k)))) return;
       const int a = (degree - 1) / 2, b = a + 1;
       charts.push_back(c);
       corners.insert(corners.end(), {control(a, a), control(b, a), control(b, b), control(a, b)});
-    });
+    };
+    for_each_control_cell(surface.chart_embedding(c), add);
   }
   return corners;
 }

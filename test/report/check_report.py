@@ -1,0 +1,244 @@
+#!/usr/bin/env python3
+"""Usage: check_report.py FIT_MESH MAP_MESH MESHES WORK
+
+Opens reports of the three canonical surfaces in a browser: nothing is complained about and nothing loaded, all
+views are drawn, every switch changes the picture and back, pointer and keys work, the values at a point are those
+of map.ply, and the page fits a phone. Status 77 where no browser is installed.
+"""
+import itertools
+import pathlib
+import re
+import struct
+import subprocess
+import sys
+import zlib
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from browser import Browser  # noqa: E402
+
+failures = []
+
+
+def check(holds, what):
+    if not holds:
+        failures.append(what)
+        print("FAILED:", what)
+
+
+def pixels(png):
+    """The rows of a PNG file with 8 bits per channel, each a list of tuples."""
+    at, data = 8, b""
+    while at < len(png):
+        size, kind = struct.unpack(">I4s", png[at:at + 8])
+        body = png[at + 8:at + 8 + size]
+        if kind == b"IHDR":
+            width, _, depth, colour = struct.unpack(">IIBB", body[:10])
+        elif kind == b"IDAT":
+            data += body
+        at += 12 + size
+    assert depth == 8 and colour in (2, 6)
+    n = 3 if colour == 2 else 4
+    raw, before, rows = zlib.decompress(data), bytes(n * width), []
+    for start in range(0, len(raw), n * width + 1):
+        kind, row = raw[start], bytearray(raw[start + 1:start + 1 + n * width])
+        for i in range(n * width):
+            left, up, corner = (row[i - n], before[i], before[i - n]) if i >= n else (0, before[i], 0)
+            if kind == 4:
+                distances = [abs(up - corner), abs(left - corner), abs(left + up - 2 * corner)]
+                guess = (left, up, corner)[distances.index(min(distances))]
+            else:
+                guess = (0, left, up, (left + up) // 2)[kind]
+            row[i] = (row[i] + guess) & 255
+        before = row
+        rows.append([tuple(row[i:i + 3]) for i in range(0, n * width, n)])
+    return rows
+
+
+def read_map(path):
+    """(vertex names, vertices, faces as (a, b, c, chart)) of a map.ply, the binary file that fit_mesh writes."""
+    header, data = path.read_bytes().split(b"end_header\n", 1)
+    lines = [line.split() for line in header.decode().splitlines()]
+    counts = {line[1]: int(line[2]) for line in lines if line[0] == "element"}
+    names = [line[2] for line in lines if line[:2] == ["property", "double"]]
+    vertex = struct.Struct(f"<{len(names)}d")
+    vertices = [vertex.unpack_from(data, i * vertex.size) for i in range(counts["vertex"])]
+    face, first = struct.Struct("<Biiii"), counts["vertex"] * vertex.size
+    return names, vertices, [face.unpack_from(data, first + i * face.size)[1:] for i in range(counts["face"])]
+
+
+def numbers(text):
+    return [float(x) for x in re.findall(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text.replace("−", "-").replace(" ", ""))]
+
+
+def distance_from_triangle_plane_and_outside(p, a, b, c):
+    """How far p is from the plane of a triangle, and its least barycentric coordinate there."""
+    sub = lambda x, y: [i - j for i, j in zip(x, y)]
+    dot = lambda x, y: sum(i * j for i, j in zip(x, y))
+    u, v, w = sub(b, a), sub(c, a), sub(p, a)
+    uu, uv, vv, wu, wv = dot(u, u), dot(u, v), dot(v, v), dot(w, u), dot(w, v)
+    s, t = (vv * wu - uv * wv) / (uu * vv - uv * uv), (uu * wv - uv * wu) / (uu * vv - uv * uv)
+    rest = [w[k] - s * u[k] - t * v[k] for k in range(3)]
+    return dot(rest, rest) ** 0.5, min(s, t, 1 - s - t), max(uu, vv) ** 0.5
+
+
+class Page:
+    def __init__(self, browser, name):
+        self.browser, self.name = browser, name
+
+    def check(self, holds, what):
+        check(holds, f"{self.name}: {what}")
+
+    def picture(self):
+        self.browser.settle()
+        return self.browser.screenshot("#panels", 0.25)
+
+    def box(self, panel):
+        return self.browser.run("""const r = document.querySelectorAll('.panel')[arguments[0]].getBoundingClientRect();
+                                   return [r.left, r.top, r.width, r.height];""", panel)
+
+    def middle(self, panel):
+        x, y, width, height = self.box(panel)
+        return x + width / 2, y + height / 2
+
+    def tip(self):
+        """What the box with the values at a point says: {name: value}; empty when it is not there."""
+        return dict(self.browser.run("""const tip = document.getElementById('tip'), b = [...tip.querySelectorAll('b')];
+            return tip.hidden ? [] : b.map(e => [e.textContent, e.nextSibling.textContent]);"""))
+
+    def check_panels(self, count):
+        panels = self.browser.run("return document.querySelectorAll('.panel').length")
+        self.check(panels == count, f"{panels} views instead of {count}")
+        rows = pixels(self.picture())
+        scale = len(rows[0]) / self.browser.run("return document.getElementById('panels').clientWidth")
+        left = self.browser.run("return document.getElementById('panels').getBoundingClientRect().left")
+        for k in range(panels):
+            x, _, width, _ = self.box(k)
+            columns = slice(round((x - left) * scale), round((x - left + width) * scale))
+            colours = {c for row in rows for c in row[columns]}
+            self.check(len(colours) > 10, f"view {k} has {len(colours)} colours")
+
+    def check_switches(self, names):
+        found = self.browser.run("return [...document.querySelectorAll('input[name=field]')].map(e => e.value)")
+        self.check(found == names, f"switches {found}")
+        pictures, legends = {}, {}
+        for name in reversed(found): # the first is shown already
+            self.browser.run("document.querySelector(`input[value=${arguments[0]}]`).click()", name)
+            pictures[name] = self.picture()
+            legends[name] = self.browser.run("return document.getElementById('legend').textContent")
+        for a, b in itertools.combinations(found, 2):
+            self.check(pictures[a] != pictures[b], f"{a} looks like {b}")
+            self.check(legends[a] != legends[b], f"{a} has the legend of {b}")
+        before = self.picture()
+        for toggle in self.browser.run("return [...document.querySelectorAll('#toggles input')].map(e => e.id)"):
+            self.browser.run("document.getElementById(arguments[0]).click()", toggle)
+            self.check(self.picture() != before, f"{toggle} changes nothing")
+            self.browser.run("document.getElementById(arguments[0]).click()", toggle)
+            self.check(self.picture() == before, f"{toggle} cannot be switched off")
+
+    def check_pointer_and_keys(self):
+        browser, first = self.browser, self.picture()
+        browser.drag(*self.middle(0), 60, 25)
+        browser.move_to(1, 1)
+        self.check(self.picture() != first, "dragging changes nothing")
+        browser.run("document.getElementById('reset').click()")
+        self.check(self.picture() == first, "the view cannot be reset")
+        browser.run("document.querySelectorAll('.panel')[1].focus()")
+        first = self.picture() # with the ring of the focus
+        browser.press(browser.RIGHT)
+        turned = self.picture()
+        self.check(turned != first, "the arrow key changes nothing")
+        browser.press("+")
+        self.check(self.picture() != turned, "the key + changes nothing")
+        browser.press("0")
+        self.check(self.picture() == first, "the key 0 does not reset the view")
+        browser.press("3")
+        self.check(browser.run("return document.querySelector('input[name=field]:checked').value") == "angle",
+                   "the key 3 does not choose the third colouring")
+        browser.press("1")
+        browser.press(browser.ENTER)
+        self.check("face" in self.tip(), "Enter shows no values")
+        browser.press(browser.ESCAPE)
+        self.check(self.tip() == {}, "Escape leaves the values")
+
+    def check_values(self, folder):
+        """What hovering says of a point, against the map that the program wrote."""
+        names, vertices, faces = read_map(folder / "map.ply")
+        diagonal = sum((max(c) - min(c)) ** 2 for c in list(zip(*vertices))[:3]) ** 0.5
+        for panel in range(self.browser.run("return document.querySelectorAll('.panel').length")):
+            self.browser.move_to(*self.middle(panel))
+            tip = self.tip()
+            if not tip and panel != 1: # the middle of a torus may be empty, that of a sphere or square is not
+                x, y = self.middle(panel)
+                for shift in range(0, 90, 6):
+                    self.browser.move_to(x + shift, y + shift / 2)
+                    tip = tip or self.tip()
+            self.check("face" in tip, f"hovering over view {panel} shows nothing")
+            if "face" not in tip:
+                continue
+            face = faces[int(numbers(tip["face"])[0])]
+            a, b, c = (vertices[v][:3] for v in face[:3])
+            off, inside, size = distance_from_triangle_plane_and_outside(numbers(tip["in space"]), a, b, c)
+            self.check(off < 4e-3 * diagonal and inside > -4e-3 * diagonal / size,
+                       f"view {panel}: the point is not in the face: {tip}")
+            if face[3] >= 0:
+                chart, u, v = numbers(tip["chart"])
+                self.check(chart == face[3] and 0 < u < 1 and 0 < v < 1, f"view {panel}: wrong chart: {tip}")
+            self.check(numbers(tip["angle"])[0] >= 1, f"view {panel}: {tip}")
+            dots = self.browser.run("return [...document.querySelectorAll('.dot')].map(e => !e.hidden)")
+            self.check(dots[panel], f"view {panel} does not mark the point")
+        self.browser.move_to(1, 1)
+        self.check(self.tip() == {}, "the values stay when the pointer leaves")
+
+    def check_quiet(self):
+        for line in self.browser.log():
+            self.check(line["level"] not in ("SEVERE", "ERROR"), f"console: {line['message']}")
+        loaded = self.browser.run("return performance.getEntriesByType('resource').map(e => e.name)")
+        self.check(loaded == [], f"loads {loaded}")
+
+
+def main():
+    if len(sys.argv) != 5:
+        sys.exit(__doc__)
+    if Browser.missing():
+        print(f"skipped: no {Browser.missing()} is installed (scripts/setup test)")
+        sys.exit(77)
+    fit_mesh, map_mesh, meshes, work = sys.argv[1:]
+    work = pathlib.Path(work).resolve()
+    work.mkdir(parents=True, exist_ok=True)
+    of_map = ["charts", "checker", "angle", "area"]
+    of_surface = of_map + ["error", "mean", "gauss", "shape"]
+    with Browser(800, 560) as browser:
+        for name, views in ("hand", 3), ("knot1", 4), ("three_peaks", 3):
+            subprocess.run([fit_mesh, f"{meshes}/{name}.off", "-o", work / name, "--quiet"], check=True)
+            browser.open(work / name / "report.html")
+            page = Page(browser, name)
+            page.check_panels(views)
+            page.check_switches(of_surface)
+            page.check_pointer_and_keys()
+            page.check_values(work / name)
+            page.check_quiet()
+            tables = browser.run("return document.querySelectorAll('#figures td').length")
+            plots = browser.run("return document.querySelectorAll('#plots svg').length")
+            page.check(tables > 40 and plots >= 3, f"{tables} figures and {plots} plots")
+
+        light = browser.run("return getComputedStyle(document.body).backgroundColor")
+        browser.set_dark(True)
+        check(browser.run("return getComputedStyle(document.body).backgroundColor") != light, "dark looks like light")
+        browser.resize(390, 844, 1, True)
+        browser.settle()
+        width = browser.run("return document.documentElement.scrollWidth")
+        check(width <= 390, f"the page is {width} wide on a phone of 390")
+        browser.resize(800, 560)
+
+        report = work / "map.html"
+        subprocess.run([map_mesh, f"{meshes}/hand.off", "-o", work / "map.ply", "--report", report, "--quiet"], check=True)
+        browser.open(report)
+        page = Page(browser, "map_mesh")
+        page.check_panels(2)
+        page.check_switches(of_map + ["shape"])
+        page.check_quiet()
+    sys.exit(1 if failures else 0)
+
+
+if __name__ == "__main__":
+    main()
