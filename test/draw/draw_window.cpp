@@ -39,8 +39,7 @@ int colours_shown()
 {
   int shown = 0;
   for (int c = 0; c < 9; ++c) {
-    const auto colour = SM::chart_colour(c);
-    const Eigen::Vector3d wanted = Eigen::Vector3d(colour.red(), colour.green(), colour.blue()).normalized();
+    const Eigen::Vector3d wanted = SM::chart_colour(c).normalized();
     int pixels = 0;
     for (int y = 0; y < picture.height(); y += 2)
       for (int x = 0; x < picture.width(); x += 2) {

@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_DRAW_H
 #define CGAL_SIMPLE_MANIFOLDS_DRAW_H
 
+#include <CGAL/Simple_manifolds/IO/chart_colour.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/tessellation/tessellate.h>
@@ -15,7 +16,6 @@
 #include <CGAL/IO/Color.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/version.h>
 
@@ -26,7 +26,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -44,19 +43,6 @@ namespace Simple_manifolds {
 ///
 /// What `CGAL::draw()` shows: a mesh whose faces have the colour of a chart in the property map `f:color`.
 using Coloured_mesh = Surface_mesh<Simple_cartesian<double>::Point_3>;
-
-/// \ingroup PkgSimpleManifoldsDraw
-///
-/// The colour of a chart in drawings, 0 to 8.
-inline IO::Color chart_colour(int chart)
-{
-  static const std::array<IO::Color, 9> colours = {
-    IO::Color(230, 97, 82), IO::Color(92, 156, 214), IO::Color(247, 194, 84), IO::Color(115, 184, 120),
-    IO::Color(173, 130, 199), IO::Color(242, 153, 173), IO::Color(140, 204, 204), IO::Color(191, 168, 128),
-    IO::Color(153, 158, 173)};
-  CGAL_precondition(chart >= 0 && chart < 9);
-  return colours[std::size_t(chart)];
-}
 
 namespace internal {
 
@@ -85,6 +71,13 @@ inline auto face_colours(const Coloured_mesh& mesh)
 #endif
 }
 
+inline IO::Color drawn_colour(int chart)
+{
+  const Eigen::Vector3d c = 255 * chart_colour(chart);
+  const auto part = [](double x) { return static_cast<unsigned char>(std::lround(x)); };
+  return IO::Color(part(c.x()), part(c.y()), part(c.z()));
+}
+
 class Coloured_mesh_builder {
 public:
   explicit Coloured_mesh_builder(Coloured_mesh& mesh)
@@ -105,7 +98,7 @@ public:
     };
     for (std::size_t f = 0; f < number_of_faces; ++f) {
       const Triangle& t = faces[f];
-      colour_[mesh_.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]))] = chart_colour(tile(t));
+      colour_[mesh_.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]))] = drawn_colour(tile(t));
     }
   }
 
