@@ -29,6 +29,7 @@ using Colour = Eigen::Vector3d; // 0 to 1
 struct Request {
   std::string input, output, map, texture;
   int subdivisions, texels;
+  double chord_error; // 0: none
 };
 
 /// Blue for -1 or less, light grey for 0, red for 1 or more.
@@ -102,10 +103,13 @@ template <class Atlas, class ChartEmbedding, class Bump>
 SM::Charted_mesh mesh_of(const SM::Manifold_surface<Atlas, ChartEmbedding, Bump>& surface,
                          const Request& request)
 {
-  const auto np = SM::parameters::subdivisions(request.subdivisions);
-  SM::Charted_mesh mesh = request.map.empty()
-                            ? SM::charted_tessellation(surface, np)
-                            : SM::charted_tessellation(surface, SM::read_map<Atlas>(request.map), np);
+  const auto tessellation = [&](const auto& np) {
+    return request.map.empty() ? SM::charted_tessellation(surface, np)
+                               : SM::charted_tessellation(surface, SM::read_map<Atlas>(request.map), np);
+  };
+  SM::Charted_mesh mesh = request.chord_error > 0
+                            ? tessellation(SM::parameters::chord_error(request.chord_error))
+                            : tessellation(SM::parameters::subdivisions(request.subdivisions));
   if (request.texture == "normals")
     mesh.images = SM::png_images(bake_normals(surface, request.texels));
   else if (request.texture == "curvature")
@@ -148,6 +152,8 @@ Request request_of(int argc, char** argv)
      "images of the charts (.obj, .glb): none, normals, curvature or checker")
     ("texels", po::value(&r.texels)->default_value(256), "texels per side of the image of a chart")
     ("subdivisions", po::value(&r.subdivisions)->default_value(40), "cells per side of a tile")
+    ("chord-error", po::value(&r.chord_error)->default_value(0, "none"),
+     "instead: the largest distance between triangles and surface, fraction of the diagonal")
     ("input", po::value(&r.input)->required(), "surface.json or map.ply, as fit_mesh writes them");
   po::positional_options_description positional;
   positional.add("input", 1);
@@ -166,6 +172,8 @@ Request request_of(int argc, char** argv)
     if (r.texels < 2 || r.texels > 8192) throw po::error("--texels must be from 2 to 8192");
     if (r.subdivisions < 1 || r.subdivisions > 4096)
       throw po::error("--subdivisions must be from 1 to 4096");
+    if (!values["chord-error"].defaulted() && !(r.chord_error >= 1e-6))
+      throw po::error("--chord-error must be at least 0.000001");
   } catch (const po::error&) {
     std::cerr << options;
     throw;

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <fstream>
 #include <set>
@@ -95,6 +96,18 @@ TEST_CASE("a mesh knows whether its arrays fit together")
   CHECK_FALSE(is_valid_after([](auto& m) { m.fields[0].name = "two words"; }));
   CHECK_FALSE(is_valid_after([&](auto& m) { m.triangles[1][2] = int(n); }));
   CHECK_FALSE(is_valid_after([](auto& m) { m.triangles[1][2] = -1; }));
+}
+
+TEST_CASE("adaptive tessellations have charts and coordinates too")
+{
+  const auto surface = ellipsoid(Eigen::Vector3d(1, 1, 9));
+  const SM::Charted_mesh mesh = SM::charted_tessellation(surface, SM::parameters::chord_error(0.003));
+  check_coordinates(mesh, surface);
+  std::array<int, 6> faces{};
+  for (int c : mesh.charts) ++faces[c];
+  CHECK(faces[0] == faces[1]);
+  CHECK(faces[4] == faces[5]);
+  CHECK(faces[4] > faces[0]); // finer at the sharp ends
 }
 
 TEST_CASE("any triangulation of the domain can be tessellated")

@@ -121,11 +121,19 @@ Charted_mesh charted_tessellation(const Surface& surface,
   return mesh;
 }
 
-template <class Surface>
-Charted_mesh charted_tessellation(const Surface& surface, const Tile_grid<typename Surface::Atlas>& grid)
+// Over a Tile_grid or a Domain_triangulation.
+template <class Surface, class Grid>
+Charted_mesh charted_tessellation(const Surface& surface, const Grid& grid)
 {
   return charted_tessellation(surface, grid.domain_points(), grid.chart_points(),
                               [&](const auto& points) { return triangulate(grid, points); });
+}
+
+template <class Surface, class NamedParameters>
+auto grid_or_triangulation(const Surface& surface, const NamedParameters& np)
+{
+  if constexpr (is_adaptive<NamedParameters>) return adaptive_triangulation(surface, np);
+  else return tile_grid(surface, np);
 }
 
 // |E(p) - M(p)| / diagonal
@@ -151,12 +159,12 @@ Charted_mesh::Field error_field(const Surface& surface, const Map& map,
 /// `mean_curvature`, `gaussian_curvature` and the domain point: `domain_x domain_y domain_z` (sphere) or
 /// `domain_u domain_v`. The chart of a triangle is that of its tile.
 ///
-/// \param np  `subdivisions` (cells per side of a tile; by default as many as make about 6000 cells)
+/// \param np  what `tessellate()` takes to say how fine the tessellation is: `subdivisions`, `chord_error` ...
 template <class Surface, class NamedParameters = parameters::Default_named_parameters>
 Charted_mesh charted_tessellation(const Surface& surface,
                                   const NamedParameters& np = parameters::default_values())
 {
-  return internal::charted_tessellation(surface, internal::tile_grid(surface, np));
+  return internal::charted_tessellation(surface, internal::grid_or_triangulation(surface, np));
 }
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -167,7 +175,7 @@ Charted_mesh charted_tessellation(const Surface& surface,
 template <class Surface, class Map, class NamedParameters>
 Charted_mesh charted_tessellation(const Surface& surface, const Map& map, const NamedParameters& np)
 {
-  const auto grid = internal::tile_grid(surface, np);
+  const auto grid = internal::grid_or_triangulation(surface, np);
   Charted_mesh mesh = internal::charted_tessellation(surface, grid);
   mesh.fields.push_back(internal::error_field(surface, map, grid.domain_points()));
   return mesh;
@@ -175,7 +183,7 @@ Charted_mesh charted_tessellation(const Surface& surface, const Map& map, const 
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// A tessellation over any triangulation of the canonical surface, e.g. of a `Domain_triangulation`.
+/// A tessellation over any triangulation of the canonical surface, e.g. that of a `Domain_triangulation`.
 /// \param domain_points  the vertices
 /// \param triangles      positions in `domain_points`
 template <class Surface>

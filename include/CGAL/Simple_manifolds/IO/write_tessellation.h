@@ -29,8 +29,7 @@ namespace Simple_manifolds {
 /// Writes a `charted_tessellation()` of a surface as a PLY file. Vertices have position `x y z`, normal
 /// `nx ny nz`, chart point `chart u v`, `mean_curvature`, `gaussian_curvature` and the domain point.
 ///
-/// \param np  `subdivisions` (cells per side of a tile; by default as many as make about 6000 cells),
-///            `use_binary_mode` (default: true; false writes text)
+/// \param np  those of `charted_tessellation()`, and `use_binary_mode` (default: true; false writes text)
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
 template <class Surface, class NamedParameters = parameters::Default_named_parameters>
 void write_tessellation(const std::string& file, const Surface& surface,
