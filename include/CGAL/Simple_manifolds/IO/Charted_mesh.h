@@ -159,7 +159,7 @@ Charted_mesh::Field error_field(const Surface& surface, const Map& map,
 /// `mean_curvature`, `gaussian_curvature` and the domain point: `domain_x domain_y domain_z` (sphere) or
 /// `domain_u domain_v`. The chart of a triangle is that of its tile.
 ///
-/// \param np  what `tessellate()` takes to say how fine the tessellation is: `subdivisions`, `chord_error` ...
+/// \param np  what `tessellate()` takes to say how fine the tessellation is: `subdivisions`, `chord_error`...
 template <class Surface, class NamedParameters = parameters::Default_named_parameters>
 Charted_mesh charted_tessellation(const Surface& surface,
                                   const NamedParameters& np = parameters::default_values())
