@@ -100,9 +100,9 @@ void set_domain_points(Charted_mesh& mesh, const Atlas& atlas,
 }
 
 template <class Surface, class Triangulate>
-Charted_mesh charted_tessellation(const Surface& surface,
-                                  const std::vector<typename Surface::Domain_point>& domain_points,
-                                  std::vector<Chart_point> chart_points, const Triangulate& triangulate)
+Charted_mesh tessellation_over(const Surface& surface,
+                               const std::vector<typename Surface::Domain_point>& domain_points,
+                               std::vector<Chart_point> chart_points, const Triangulate& triangulate)
 {
   Charted_mesh mesh;
   mesh.kind = "surface tessellation";
@@ -123,10 +123,10 @@ Charted_mesh charted_tessellation(const Surface& surface,
 
 // Over a Tile_grid or a Domain_triangulation.
 template <class Surface, class Grid>
-Charted_mesh charted_tessellation(const Surface& surface, const Grid& grid)
+Charted_mesh tessellation_over(const Surface& surface, const Grid& grid)
 {
-  return charted_tessellation(surface, grid.domain_points(), grid.chart_points(),
-                              [&](const auto& points) { return triangulate(grid, points); });
+  return tessellation_over(surface, grid.domain_points(), grid.chart_points(),
+                           [&](const auto& points) { return triangulate(grid, points); });
 }
 
 template <class Surface, class NamedParameters>
@@ -164,7 +164,7 @@ template <class Surface, class NamedParameters = parameters::Default_named_param
 Charted_mesh charted_tessellation(const Surface& surface,
                                   const NamedParameters& np = parameters::default_values())
 {
-  return internal::charted_tessellation(surface, internal::grid_or_triangulation(surface, np));
+  return internal::tessellation_over(surface, internal::grid_or_triangulation(surface, np));
 }
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -176,7 +176,7 @@ template <class Surface, class Map, class NamedParameters>
 Charted_mesh charted_tessellation(const Surface& surface, const Map& map, const NamedParameters& np)
 {
   const auto grid = internal::grid_or_triangulation(surface, np);
-  Charted_mesh mesh = internal::charted_tessellation(surface, grid);
+  Charted_mesh mesh = internal::tessellation_over(surface, grid);
   mesh.fields.push_back(internal::error_field(surface, map, grid.domain_points()));
   return mesh;
 }
@@ -193,8 +193,8 @@ Charted_mesh charted_tessellation(const Surface& surface,
 {
   std::vector<Chart_point> chart_points;
   for (const auto& p : domain_points) chart_points.push_back(surface.best_chart_point(p));
-  return internal::charted_tessellation(surface, domain_points, std::move(chart_points),
-                                        [&](const auto&) { return triangles; });
+  return internal::tessellation_over(surface, domain_points, std::move(chart_points),
+                                     [&](const auto&) { return triangles; });
 }
 
 /// \ingroup PkgSimpleManifoldsIO

@@ -39,8 +39,8 @@ void write_obj_row(std::ostream& out, const char* keyword, const Vector& x)
   out << '\n';
 }
 
-inline void write_obj(std::ostream& out, const Charted_mesh& mesh, const std::vector<Chart_part>& parts,
-                      const std::string& materials)
+inline void write_obj_lines(std::ostream& out, const Charted_mesh& mesh, const std::vector<Chart_part>& parts,
+                            const std::string& materials)
 {
   out << "# simple_manifolds " << mesh.kind << ", atlas " << mesh.atlas << "\nmtllib " << materials << '\n';
   for (const Eigen::Vector3d& x : mesh.points) write_obj_row(out, "v", x);
@@ -99,7 +99,7 @@ inline void write_obj(const std::string& file, const Charted_mesh& mesh)
   }
   materials.commit();
   Atomic_file obj(output.file(path.filename().string()));
-  internal::write_obj(obj.stream(), mesh, parts, name + ".mtl");
+  internal::write_obj_lines(obj.stream(), mesh, parts, name + ".mtl");
   obj.commit();
   output.commit();
 }
