@@ -60,7 +60,7 @@ function make_view(data, atlas) {
   add('Mesh', space_corners(mesh), null, `${count(info.faces)} faces` + (info.faces_of_map > info.faces ? ' (simplified)' : ''));
   for (const shape of Object.values(atlas.shapes))
     add(shape.title, domain_corners(mesh, atlas, shape), shape,
-        shape.is_flat ? 'the same faces, seen from the front' : 'the same faces');
+        shape.is_flat ? 'the same faces, face on' : 'the same faces');
   if (surface) {
     const panel = add('Surface', space_corners(surface), null, `${count(surface.faces.length / 3)} triangles drawn`);
     if (data.net.points.length > 0) panel.add_net(data.net);
