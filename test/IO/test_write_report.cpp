@@ -1,0 +1,230 @@
+#include "catch.h"
+
+#include "../tessellation/analytic_surfaces.h"
+#include "temporary_folder.h"
+
+#include <CGAL/Simple_manifolds/IO/write_report.h>
+
+#include <cstring>
+
+namespace {
+
+constexpr const char* page = "<html><!-- data --></html>";
+
+// The map of a smooth surface: vertices are those of a grid of the tiles.
+template <class Surface>
+auto map_of(const Surface& surface, int subdivisions)
+{
+  const SM::Tile_grid<typename Surface::Atlas> grid(subdivisions);
+  std::vector<Eigen::Vector3d> points;
+  for (const auto& p : grid.domain_points()) points.push_back(surface.point(p));
+  const auto triangles = SM::triangulate(grid, points);
+  return SM::Manifold_map<typename Surface::Atlas>(points, triangles, grid.domain_points(), points.size());
+}
+
+// What a report holds, read the way a browser does.
+struct Report {
+  nlohmann::json info;
+  std::string bytes;
+
+  explicit Report(const std::string& text) : info(nlohmann::json::parse(element(text, "info")))
+  {
+    std::string packed;
+    unsigned group = 0;
+    int bits = 0;
+    for (char c : element(text, "arrays")) {
+      const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+      if (c == '=') break;
+      group = group << 6 | unsigned(std::strchr(digits, c) - digits);
+      if ((bits += 6) < 8) continue;
+      bits -= 8;
+      packed += char(group >> bits & 255);
+    }
+    for (const auto& a : info["arrays"])
+      bytes.resize(bytes.size() + a["size"].get<std::size_t>() * a["components"].get<std::size_t>()
+                   * (a["type"] == "i8" ? 1 : a["type"] == "i16" ? 2 : 4));
+    uLongf size = uLongf(bytes.size());
+    REQUIRE(uncompress(reinterpret_cast<Bytef*>(&bytes[0]), &size,
+                       reinterpret_cast<const Bytef*>(packed.data()), uLong(packed.size())) == Z_OK);
+    REQUIRE(size == bytes.size());
+  }
+
+  static std::string element(const std::string& text, const std::string& id)
+  {
+    const std::size_t first = text.find('>', text.find("<script id=\"" + id + "\"")) + 1;
+    return text.substr(first, text.find("</script>", first) - first);
+  }
+
+  template <class T>
+  std::vector<T> array(const std::string& name) const
+  {
+    const auto& a = info["arrays"].at(name);
+    const std::size_t n = a["size"], components = a["components"], first = a["first"];
+    const std::size_t width = components * sizeof(T);
+    std::vector<T> items(n * components);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = 0; k < width; ++k)
+        reinterpret_cast<char*>(items.data())[i * width + k] = bytes[first + k * n + i];
+    return items;
+  }
+};
+
+double largest_difference(const std::vector<float>& values, double truth)
+{
+  double largest = 0;
+  for (double x : values) largest = std::max(largest, std::abs(x - truth));
+  return largest;
+}
+
+} // namespace
+
+TEST_CASE("a report holds the mesh, the surface and their geometry")
+{
+  const auto sphere = ellipsoid(Eigen::Vector3d(2, 2, 2));
+  const auto map = map_of(sphere, 8);
+  const Temporary_folder folder;
+  const nlohmann::ordered_json figures = {{"input", {{"file", "</script><b>"}}}};
+  SM::write_report(folder("r.html"), map, sphere, SM::Fit_report(), figures, page);
+  const std::string text = folder.read("r.html");
+  CHECK(text.find("</script><b>") == std::string::npos); // no text can end the element that it is in
+  const Report report(text);
+  CHECK(report.info["figures"] == nlohmann::json(figures));
+  CHECK(report.info["atlas"] == "sphere");
+
+  const auto points = report.array<float>("mesh.points"), domain = report.array<float>("mesh.domain");
+  REQUIRE(points.size() == 3 * map.number_of_vertices());
+  double place = 0, domain_place = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double centre = report.info["centre"][i % 3], diagonal = report.info["diagonal"];
+    place = std::max(place, std::abs(points[i] * diagonal + centre - map.point(i / 3)[i % 3]));
+    domain_place = std::max(domain_place, std::abs(domain[i] - map.domain_point(i / 3)[i % 3]));
+  }
+  CHECK(place < 2e-5);
+  CHECK(domain_place < 2e-7);
+
+  const auto coded = report.array<std::uint32_t>("mesh.faces");
+  REQUIRE(coded.size() == 3 * map.number_of_faces());
+  int index = 0;
+  bool are_faces_equal = true;
+  for (std::size_t i = 0; i < coded.size(); ++i) {
+    index += coded[i] % 2 ? -int(coded[i] / 2) - 1 : int(coded[i] / 2);
+    are_faces_equal = are_faces_equal && index == map.face(i / 3)[i % 3];
+  }
+  CHECK(are_faces_equal);
+
+  // The surface is the sphere of radius 2, and goes through the vertices.
+  const double diagonal = map.diagonal();
+  CHECK(largest_difference(report.array<float>("mesh.error"), 0) < 1e-12);
+  CHECK(largest_difference(report.array<float>("surface.mean"), diagonal / 2) < 1e-3 * diagonal);
+  const double square = diagonal * diagonal;
+  CHECK(largest_difference(report.array<float>("surface.gauss"), square / 4) < 1e-3 * square);
+  const auto error = report.array<float>("surface.error");
+  CHECK(*std::max_element(error.begin(), error.end()) > 1e-4); // between the vertices the mesh is flat
+  const auto normals = report.array<std::int16_t>("surface.normals");
+  const auto surface_domain = report.array<float>("surface.domain");
+  double angle = 0;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    angle = std::max(angle, std::abs(normals[i] / 32767. - surface_domain[i]));
+  CHECK(angle < 1e-4);
+}
+
+TEST_CASE("a report of a map alone has no surface; a page without a place for the data is refused")
+{
+  const auto map = map_of(ring(3, 1), 2);
+  const Temporary_folder folder;
+  const auto figures = nlohmann::ordered_json::object();
+  SM::write_report(folder("r.html"), map, figures, page);
+  const Report report(folder.read("r.html"));
+  CHECK(report.info["arrays"].contains("mesh.angle"));
+  CHECK_FALSE(report.info["arrays"].contains("mesh.error"));
+  CHECK_FALSE(report.info["arrays"].contains("surface.points"));
+  CHECK_FALSE(report.info.contains("fit"));
+  CHECK_THROWS_AS(SM::write_report(folder("s.html"), map, figures, "<html>"), SM::IO_error);
+  CHECK(folder.entries() == std::vector<std::string>{"r.html"});
+}
+
+TEST_CASE("distortions of faces have the means of the map's distortion")
+{
+  const auto map = map_of(ring(3, 1), 4);
+  const auto d = SM::internal::face_distortions(map);
+  const SM::Distortion whole = SM::distortion(map);
+  double area = 0, angle = 0, log_area = 0;
+  for (std::size_t f = 0; f < map.number_of_faces(); ++f) {
+    const SM::Triangle& t = map.face(f);
+    const double a
+      = (map.point(t[1]) - map.point(t[0])).cross(map.point(t[2]) - map.point(t[0])).norm();
+    area += a;
+    angle += a * d.angle[f];
+    log_area += a * std::abs(d.log10_area[f]);
+  }
+  CHECK(angle / area == Approx(whole.angle_mean).epsilon(1e-12));
+  CHECK(log_area / area == Approx(whole.area_mean_abs_log10).epsilon(1e-12));
+}
+
+TEMPLATE_TEST_CASE("a simplified map is a map: one to one, of vertices of the first", "", SM::Sphere_atlas,
+                   SM::Torus_atlas, SM::Plane_atlas)
+{
+  const auto simplify = [](const auto& map) {
+    using Map = std::decay_t<decltype(map)>;
+    const std::size_t wanted = map.number_of_faces() / 3;
+    const SM::internal::Map_simplification<Map> s(map, wanted);
+    CHECK(s.faces.size() <= wanted + 2);
+    CHECK(s.faces.size() > wanted / 2);
+    std::vector<Eigen::Vector3d> points;
+    std::vector<typename Map::Domain_point> domain_points;
+    for (int v : s.vertices) {
+      points.push_back(map.point(v));
+      domain_points.push_back(map.domain_point(v));
+    }
+    const Map simplified(points, s.faces, domain_points, points.size()); // certifies
+    CHECK(simplified.certificate().is_valid());
+  };
+  if constexpr (std::is_same_v<TestType, SM::Sphere_atlas>)
+    simplify(map_of(ellipsoid(Eigen::Vector3d(1, 2, 3)), 10));
+  else if constexpr (std::is_same_v<TestType, SM::Torus_atlas>)
+    simplify(map_of(ring(3, 1), 8));
+  else {
+    const SM::Tile_grid<SM::Plane_atlas> grid(20);
+    std::vector<Eigen::Vector3d> points;
+    for (const auto& p : grid.domain_points()) points.emplace_back(p.x(), p.y(), std::sin(5 * p.x() * p.y()));
+    simplify(SM::Manifold_map<SM::Plane_atlas>(points, SM::triangulate(grid, points), grid.domain_points(),
+                                               points.size()));
+  }
+}
+
+TEST_CASE("control cells of a linear spline of any level lie on it")
+{
+  // The coefficients of a linear function are its values at the Greville points.
+  const int degree = 3, cells = 4, side = cells + degree;
+  const auto linear = [](double u, double v) { return Eigen::Vector3d(2 * u - v, u + 3 * v, 1 - u); };
+  const SM::Hierarchical_embedding::Level fine{2 * cells, {3 * (2 * cells + degree) + 4}, {{0, 0, 0}}};
+  SM::Hierarchical_embedding::Level coarse{cells, {}, {}};
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      coarse.indices.push_back(i * side + j);
+      coarse.coefficients.push_back(linear((i - 1.) / cells, (j - 1.) / cells));
+    }
+  const SM::Hierarchical_embedding e(degree, {coarse, fine}); // the fine level divides leaves and adds nothing
+  std::size_t count = 0;
+  double largest = 0, area = 0;
+  using SM::internal::Chart_box;
+  SM::internal::for_each_control_cell(e, [&](const Chart_box& box, const auto& control, int d) {
+    REQUIRE(d == degree);
+    ++count;
+    area += box.volume();
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) {
+        const double u = i ? box.max().x() : box.min().x(), v = j ? box.max().y() : box.min().y();
+        largest = std::max(largest, (control(1 + i, 1 + j) - linear(u, v)).norm());
+      }
+  });
+  CHECK(count == e.number_of_leaves());
+  CHECK(count > std::size_t(cells * cells));
+  CHECK(area == Approx(1));
+  CHECK(largest < 1e-14);
+
+  const SM::Manifold_surface<SM::Plane_atlas> surface({e});
+  std::vector<int> charts;
+  CHECK(SM::internal::control_cells(surface, charts).size() == 4 * count);
+  CHECK(charts == std::vector<int>(count, 0));
+}
