@@ -204,7 +204,7 @@ TEST_CASE("control cells of a linear spline of any level lie on it")
       coarse.indices.push_back(i * side + j);
       coarse.coefficients.push_back(linear((i - 1.) / cells, (j - 1.) / cells));
     }
-  const SM::Hierarchical_embedding e(degree, {coarse, fine}); // the fine level divides leaves and adds nothing
+  const SM::Hierarchical_embedding e(degree, {coarse, fine}); // `fine` divides leaves and adds nothing
   std::size_t count = 0;
   double largest = 0, area = 0;
   using SM::internal::Chart_box;
