@@ -44,7 +44,7 @@ const auto everything = [](Vertex) { return true; };
 TEST_CASE("A grown region is a disk after every ring, and fills disks, and spheres but for a face", "[paper]")
 {
   Random random(1);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 4000; ++i) {
     INFO("case " << i);
     const int n = 5 + random.below(40), kind = i % 3;
     const Mesh mesh = surface_mesh(kind == 0 ? random_sphere(n, 2 * n, 0, random)
@@ -71,7 +71,7 @@ TEST_CASE("A face is contiguous exactly when the region with it is a disk", "[pa
 {
   Random random(2);
   int contiguous = 0, other = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 1500; ++i) {
     const int n = 6 + random.below(12);
     const Mesh mesh
       = surface_mesh(i % 2 ? random_sphere(n, 2 * n, 0, random) : random_torus(3, 4, n, 0, random));
@@ -222,7 +222,7 @@ TEST_CASE("Flood fill finds the two sides of a path across a disk", "[paper]")
 {
   Random random(6);
   int two = 0;
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const int n = 20 + random.below(40);
     const Mesh mesh = surface_mesh(random_disk(n, 3 * n, random));
     const auto region = free_regions(mesh);
