@@ -33,7 +33,7 @@ const sphere_atlas = {
   },
   lift: (d, i, j) => [d[3 * j], d[3 * j + 1], d[3 * j + 2]],
   shapes: {
-    sphere: { title: 'Unit sphere', radius: 1, place: p => p, normal: p => p, split: 0.12 },
+    sphere: { title: 'Unit sphere', radius: 1.07, place: p => p, normal: p => p, split: 0.12 },
   },
 };
 
@@ -74,7 +74,7 @@ const torus_atlas = {
   ...flat_atlas('flat torus', x => x - Math.round(x), x => x - Math.floor(x), {
     flat: { ...flat_shape('Flat torus'), has_copies: true },
     ring: {
-      title: 'Ring torus', radius: 2.5, split: 0.03,
+      title: 'Ring torus', radius: 2.6, split: 0.03,
       place: ([u, v]) => {
         const a = turn * u, b = turn * v, r = 1.5 + Math.cos(a);
         return [r * Math.cos(b), Math.sin(a), r * Math.sin(b)];
