@@ -80,8 +80,14 @@ Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
       ply.fail("virtual_faces is " + text + ", but there are " + std::to_string(faces.size()) + " faces");
     virtual_faces = std::size_t(n);
   }
-  return Manifold_map<Atlas>(std::move(mesh.points), std::move(faces), std::move(domain_points), inputs,
-                             virtual_faces);
+  try {
+    return Manifold_map<Atlas>(std::move(mesh.points), std::move(faces), std::move(domain_points), inputs,
+                               virtual_faces);
+  } catch (const Topology_error& e) {
+    throw Topology_error(e.code(), file + ": " + e.what(), e.element());
+  } catch (const Numeric_error& e) {
+    throw Numeric_error(e.code(), file + ": " + e.what(), e.element());
+  }
 }
 
 } // namespace internal

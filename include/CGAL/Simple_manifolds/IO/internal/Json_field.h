@@ -12,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -59,6 +60,7 @@ public:
   double number() const
   {
     if (!value_.is_number()) fail("a number is expected");
+    if (!std::isfinite(value_.get<double>())) fail("the number is NaN or infinite"); // CBOR has such
     return value_.get<double>();
   }
 

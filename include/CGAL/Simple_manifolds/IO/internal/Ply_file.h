@@ -34,9 +34,12 @@ public:
     if (format_ == Format::ascii) {
       Text_scanner in(file_, bytes_.substr(body_), false, header_lines_ + 1);
       for (const Element& e : elements_) read_element(e, [&](const Property& p) { return ascii(in, p); });
+      if (!in.at_end()) in.fail(too_long_);
     } else {
       at_ = body_;
       for (const Element& e : elements_) read_element(e, [&](const Property& p) { return binary(p.type); });
+      if (at_ != bytes_.size())
+        fail(too_long_ + std::string(": ") + std::to_string(bytes_.size() - at_) + " bytes");
     }
   }
 
@@ -132,8 +135,8 @@ private:
         format_ = w[1] == "ascii" ? Format::ascii : w[1] == "binary_little_endian" ? Format::little
                 : w[1] == "binary_big_endian" ? Format::big : Format::unknown;
       } else if (w[0] == "element" && w.size() == 3) {
-        const long long count = Text_scanner(file_, w[2], false).integer(w[2], "the number of elements");
-        if (count < 0) fail("a negative number of elements", n);
+        const long long count = Text_scanner(file_, w[2], false, n).integer(w[2], "the number of elements");
+        if (count < 0) fail("the number of " + Text_scanner::shown(w[1]) + " elements is " + std::to_string(count), n);
         elements_.push_back({std::string(w[1]), std::size_t(count), {}});
       } else if (w[0] == "property" && !elements_.empty() && w.size() == 5 && w[1] == "list") {
         elements_.back().properties.push_back({std::string(w[4]), type(w[2], n), type(w[3], n)});
@@ -223,6 +226,9 @@ private:
       default: return double(bits);
     }
   }
+
+  // A count that is too small would lose elements.
+  static constexpr const char* too_long_ = "the file goes on behind the elements that its header announces";
 
   const std::string& file_;
   std::string_view bytes_;

@@ -50,6 +50,8 @@ inline File_mesh read_off(const std::string& file, std::string_view text)
     mesh.end_face();
     in.skip_line();
   }
+  if (!in.at_end()) // a count that is too small would lose faces
+    in.fail("the file goes on behind the " + std::to_string(faces) + " faces that its header announces");
   return mesh;
 }
 
