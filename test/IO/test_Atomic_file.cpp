@@ -4,6 +4,8 @@
 
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
 
+#include <sys/stat.h>
+
 namespace SM = CGAL::Simple_manifolds;
 using Names = std::vector<std::string>;
 
@@ -40,6 +42,26 @@ TEST_CASE("a file that cannot be written is an error that names it")
     }
   }
   CHECK(folder.entries() == Names{"is_folder"});
+}
+
+TEST_CASE("links are followed, devices and their like are no files")
+{
+  const Temporary_folder folder;
+  folder.write("a.txt", "old");
+  std::filesystem::create_symlink("a.txt", folder("link"));
+  {
+    SM::Atomic_file file(folder("link"));
+    file.stream() << "new";
+    file.commit();
+  }
+  CHECK(std::filesystem::is_symlink(folder("link")));
+  CHECK(folder.read("a.txt") == "new");
+  CHECK(folder.entries() == Names{"a.txt", "link"});
+  REQUIRE(mkfifo(folder("pipe").c_str(), 0600) == 0);
+  CHECK_THROWS_AS(SM::Atomic_file(folder("pipe")), SM::IO_error);
+  CHECK(folder.entries() == Names{"a.txt", "link", "pipe"});
+  for (const char* name : {"a.txt", "a.txt/out", "a.txt/deep/out", "pipe/out"})
+    CHECK_THROWS_AS(SM::Atomic_folder(folder(name)), SM::IO_error);
 }
 
 TEST_CASE("the files of a folder appear together, foreign files stay")

@@ -35,6 +35,14 @@ inline std::filesystem::path unused_path_beside(const std::filesystem::path& pat
   }
 }
 
+/// The file that a link leads to; every other path as it is.
+inline std::filesystem::path behind_links(const std::filesystem::path& path)
+{
+  std::error_code error;
+  const std::filesystem::path target = std::filesystem::canonical(path, error);
+  return !error && std::filesystem::is_symlink(path, error) ? target : path;
+}
+
 /// `dir/` and `dir` name the same folder; a temporary name can only be appended to the latter.
 inline std::filesystem::path without_trailing_separator(const std::filesystem::path& path)
 {
@@ -58,11 +66,17 @@ inline void finish(std::ofstream& out, const std::string& name)
 /// a file that had the name before stays as it was.
 class Atomic_file {
 public:
-  /// \throw IO_error (`cannot_write`) when the file cannot be created
-  explicit Atomic_file(const std::string& file)
-    : file_(file), temporary_(internal::unused_path_beside(file)), out_(temporary_, std::ios::binary)
+  /// \param file  a link is followed: the file that it leads to is replaced
+  /// \throw IO_error (`cannot_write`) when the file cannot be created, or is a folder or a device
+  explicit Atomic_file(const std::string& file) : file_(internal::behind_links(file))
   {
-    if (!out_ || std::filesystem::is_directory(file_)) {
+    std::error_code ignored;
+    if (const auto status = std::filesystem::status(file_, ignored);
+        std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+      throw IO_error(Error_code::cannot_write, file, "is not a regular file");
+    temporary_ = internal::unused_path_beside(file_);
+    out_.open(temporary_, std::ios::binary);
+    if (!out_) {
       remove();
       throw IO_error(Error_code::cannot_write, file, "the file cannot be created");
     }
@@ -107,10 +121,11 @@ private:
 class Atomic_folder {
 public:
   /// Nothing is written to the disk before the first `file()`.
-  /// \throw IO_error (`cannot_write`) when something that is not a folder has the name
+  /// \throw IO_error (`cannot_write`) when something that is not a folder has the name, or lies on the way
   explicit Atomic_folder(const std::string& folder) : folder_(internal::without_trailing_separator(folder))
   {
-    if (folder.empty() || (std::filesystem::exists(folder_) && !std::filesystem::is_directory(folder_)))
+    std::error_code ignored;
+    if (folder.empty() || !std::filesystem::is_directory(nearest_existing(), ignored))
       throw IO_error(Error_code::cannot_write, folder, "is not a folder");
   }
 
@@ -148,12 +163,20 @@ public:
   }
 
 private:
-  // Inside the folder when it exists, else in the nearest folder above: renaming then stays on one disk.
+  // The folder, or the nearest one above it that exists.
+  std::filesystem::path nearest_existing() const
+  {
+    std::filesystem::path path = std::filesystem::absolute(folder_);
+    std::error_code ignored; // e.g. "not a directory", of a path below a file
+    while (!std::filesystem::exists(std::filesystem::status(path, ignored)) && path != path.root_path())
+      path = path.parent_path();
+    return path;
+  }
+
+  // Where the folder is or will be: renaming then stays on one disk.
   void create_temporary()
   {
-    std::filesystem::path above = std::filesystem::absolute(folder_);
-    while (!std::filesystem::is_directory(above) && above != above.root_path()) above = above.parent_path();
-    const std::filesystem::path path = internal::unused_path_beside(above / ".simple_manifolds");
+    const std::filesystem::path path = internal::unused_path_beside(nearest_existing() / ".simple_manifolds");
     std::error_code error;
     std::filesystem::create_directory(path, error);
     if (error) throw IO_error(Error_code::cannot_write, folder_.string(), error.message());
