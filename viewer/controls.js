@@ -2,12 +2,18 @@
 
 function add_controls(view, { on_point, on_leave }) {
   for (const panel of view.panels) {
-    const { element } = panel, pointers = new Map();
-    let is_armed = false, spread = 0, has_moved = false;
+    const { element } = panel,
+      pointers = new Map();
+    let is_armed = false,
+      spread = 0,
+      has_moved = false;
 
     const domain_point = event => {
       const r = element.getBoundingClientRect();
-      return panel.domain_point_at(2 * (event.clientX - r.left) / r.width - 1, 1 - 2 * (event.clientY - r.top) / r.height);
+      return panel.domain_point_at(
+        (2 * (event.clientX - r.left)) / r.width - 1,
+        1 - (2 * (event.clientY - r.top)) / r.height
+      );
     };
     const distance = () => {
       const [a, b] = pointers.values();
@@ -49,21 +55,34 @@ function add_controls(view, { on_point, on_leave }) {
       if (event.pointerType === 'mouse') on_leave();
     });
     element.addEventListener('dblclick', event => view.centre_on(domain_point(event)));
-    element.addEventListener('wheel', event => {
-      if (!is_armed && !event.ctrlKey) return; // the page scrolls
-      event.preventDefault();
-      view.zoom_by(Math.exp(-event.deltaY * 0.0015));
-    }, { passive: false });
+    element.addEventListener(
+      'wheel',
+      event => {
+        if (!is_armed && !event.ctrlKey) return; // the page scrolls
+        event.preventDefault();
+        view.zoom_by(Math.exp(-event.deltaY * 0.0015));
+      },
+      { passive: false }
+    );
 
     const step = Math.PI / 18;
     const keys = {
-      ArrowLeft: () => view.turn(-step, 0), ArrowRight: () => view.turn(step, 0),
-      ArrowUp: () => view.turn(0, -step), ArrowDown: () => view.turn(0, step),
-      '+': () => view.zoom_by(1.2), '=': () => view.zoom_by(1.2), '-': () => view.zoom_by(1 / 1.2),
-      0: () => view.reset(), Home: () => view.reset(), Escape: on_leave,
+      ArrowLeft: () => view.turn(-step, 0),
+      ArrowRight: () => view.turn(step, 0),
+      ArrowUp: () => view.turn(0, -step),
+      ArrowDown: () => view.turn(0, step),
+      '+': () => view.zoom_by(1.2),
+      '=': () => view.zoom_by(1.2),
+      '-': () => view.zoom_by(1 / 1.2),
+      0: () => view.reset(),
+      Home: () => view.reset(),
+      Escape: on_leave,
       Enter: () => {
         const r = element.getBoundingClientRect();
-        on_point(panel, panel.domain_point_at(0, 0), { clientX: r.left + r.width / 2, clientY: r.top + r.height / 2 });
+        on_point(panel, panel.domain_point_at(0, 0), {
+          clientX: r.left + r.width / 2,
+          clientY: r.top + r.height / 2,
+        });
       },
     };
     element.addEventListener('keydown', event => {

@@ -1,4 +1,5 @@
-// The data of the page: the JSON element "info", and arrays as IO/internal/report/Report_arrays.h writes them.
+// The data of the page: the JSON element "info", and the arrays that Report_arrays.h of IO/internal/report
+// writes.
 
 const array_types = { f32: Float32Array, i16: Int16Array, i8: Int8Array, index: Uint32Array };
 
@@ -11,7 +12,8 @@ async function inflate(text) {
 }
 
 function unpack(bytes, { type, components, size, first }) {
-  const Type = array_types[type], width = components * Type.BYTES_PER_ELEMENT;
+  const Type = array_types[type],
+    width = components * Type.BYTES_PER_ELEMENT;
   const out = new Uint8Array(size * width);
   for (let k = 0; k < width; ++k) {
     const plane = first + k * size;

@@ -18,51 +18,91 @@ const kinds = {
 };
 
 function show_head({ info }) {
-  const { figures = {} } = info, { input = {}, map = {}, surface } = figures;
-  const name = String(input.file || 'Mesh').split(/[\\/]/).pop();
+  const { figures = {} } = info,
+    { input = {}, map = {}, surface } = figures;
+  const name = String(input.file || 'Mesh')
+    .split(/[\\/]/)
+    .pop();
   document.title = `${name} – Simple_manifolds`;
   by_id('title').textContent = name;
-  const smooth = surface && surface.smoothness > 0 ? ` and the C${['⁰', '¹', '²', '³', '⁴'][surface.smoothness]} surface`
-                                                   + ' fitted to it' : '';
+  const smooth =
+    surface && surface.smoothness > 0
+      ? ` and the C${['⁰', '¹', '²', '³', '⁴'][surface.smoothness]} surface` + ' fitted to it'
+      : '';
   by_id('summary').textContent = `${kinds[info.atlas]}${smooth ? ',' + smooth : ''}.`;
   const rows = [
-    [input.faces, 'faces', count], [map.flipped, 'flipped in the domain', count],
-    [map.angle, 'angle distortion', short], [surface && surface.controls, 'controls', count],
-    [surface && surface.rms_error, 'rms error', percent], [surface && surface.max_error, 'largest error', percent],
+    [input.faces, 'faces', count],
+    [map.flipped, 'flipped in the domain', count],
+    [map.angle, 'angle distortion', short],
+    [surface && surface.controls, 'controls', count],
+    [surface && surface.rms_error, 'rms error', percent],
+    [surface && surface.max_error, 'largest error', percent],
     [figures.seconds && figures.seconds.total, 'in all', x => short(x) + ' s'],
   ];
   for (const [value, label, show] of rows)
     if (typeof value === 'number')
-      by_id('highlights').append(element('div', {}, element('dt', {}, label), element('dd', {}, show(value))));
-  if (figures.program) by_id('program').textContent = figures.program + (figures.version
-    ? ` of Simple_manifolds ${figures.version.simple_manifolds}, CGAL ${figures.version.cgal}` : '');
+      by_id('highlights').append(
+        element('div', {}, element('dt', {}, label), element('dd', {}, show(value)))
+      );
+  if (figures.program)
+    by_id('program').textContent =
+      figures.program +
+      (figures.version
+        ? ` of Simple_manifolds ${figures.version.simple_manifolds}, CGAL ${figures.version.cgal}`
+        : '');
   if (info.faces_of_map > info.faces) {
     by_id('notice').hidden = false;
-    by_id('notice').textContent = `The mesh has ${count(info.faces_of_map)} faces. To keep this page small it is shown `
-      + `simplified, with ${count(info.faces)} faces; errors and curvatures are those of the vertices that are left, `
-      + 'distortions those of the original faces.';
+    by_id('notice').textContent =
+      `The mesh has ${count(info.faces_of_map)} faces. To keep this page small it is shown ` +
+      `simplified, with ${count(info.faces)} faces; errors and curvatures are those of the ` +
+      'vertices that are left, ' +
+      'distortions those of the original faces.';
   }
 }
 
 // ---- Panels -----------------------------------------------------------------------------------------
 
 function make_view(data, atlas) {
-  const container = by_id('panels'), view = new View(container, container.querySelector('canvas'));
+  const container = by_id('panels'),
+    view = new View(container, container.querySelector('canvas'));
   const add = (title, corners, shape, text) => {
     const label = element('h3', {}, title, element('small', {}, text));
-    const box = element('div', { class: shape ? 'panel domain' : 'panel', tabindex: 0, role: 'group', 'aria-roledescription': '3D view',
-                                 'aria-label': `${title}: ${text}` }, label);
+    const box = element(
+      'div',
+      {
+        class: shape ? 'panel domain' : 'panel',
+        tabindex: 0,
+        role: 'group',
+        'aria-roledescription': '3D view',
+        'aria-label': `${title}: ${text}`,
+      },
+      label
+    );
     container.append(box);
     return view.add(box, corners, atlas, shape);
   };
   const { mesh, surface, info } = data;
   view.face_the_viewer(mesh, info.atlas !== 'plane');
-  add('Mesh', space_corners(mesh), null, `${count(info.faces)} faces` + (info.faces_of_map > info.faces ? ' (simplified)' : ''));
+  add(
+    'Mesh',
+    space_corners(mesh),
+    null,
+    `${count(info.faces)} faces` + (info.faces_of_map > info.faces ? ' (simplified)' : '')
+  );
   for (const shape of Object.values(atlas.shapes))
-    add(shape.title, domain_corners(mesh, atlas, shape), shape,
-        shape.is_flat ? 'the same faces, face on' : 'the same faces');
+    add(
+      shape.title,
+      domain_corners(mesh, atlas, shape),
+      shape,
+      shape.is_flat ? 'the same faces, face on' : 'the same faces'
+    );
   if (surface) {
-    const panel = add('Surface', space_corners(surface), null, `${count(surface.faces.length / 3)} triangles drawn`);
+    const panel = add(
+      'Surface',
+      space_corners(surface),
+      null,
+      `${count(surface.faces.length / 3)} triangles drawn`
+    );
     if (data.net.points.length > 0) panel.add_net(data.net);
   }
   container.dataset.count = view.panels.length;
@@ -75,36 +115,63 @@ function make_view(data, atlas) {
 const in_units = (field, info) => field.show || (x => short(x / info.diagonal ** field.power));
 
 function legend(field, range, info) {
-  const box = by_id('legend'), text = element('p', {}, field.text || '');
+  const box = by_id('legend'),
+    text = element('p', {}, field.text || '');
   box.replaceChildren();
   if (field.mode === 1) {
     const list = element('ul');
     for (let c = 0; c < info.charts; ++c)
-      list.append(element('li', {}, element('i', { style: `background: #${chart_colours[c]}` }), `chart ${c}`));
-    list.append(element('li', {}, element('i', { style: `background: #${no_value}` }), 'face in no single chart'));
+      list.append(
+        element('li', {}, element('i', { style: `background: #${chart_colours[c]}` }), `chart ${c}`)
+      );
+    list.append(
+      element('li', {}, element('i', { style: `background: #${no_value}` }), 'face in no single chart')
+    );
     box.append(list);
     box.setAttribute('aria-label', `Colours of ${info.charts} charts`);
     return;
   }
   if (field.ramp) {
-    const show = in_units(field, info), { low, high, least, largest } = range;
-    const ticks = [low, (low + high) / 2, high].map((x, k) => element('span', {},
-      (k === 0 && least < low ? '≤ ' : k === 2 && largest > high ? '≥ ' : '') + show(x)));
-    box.append(element('div', { class: 'scale' },
-      element('div', { class: 'ramp', style: `background: ${gradient(field.ramp)}` }), element('div', { class: 'ticks' }, ...ticks)));
-    text.append(element('span', { class: 'quiet' },
-      `. Colours span the ${100 * low_percentile}nd to ${100 - 100 * low_percentile}th percentile of the area;`
-      + ` values from ${show(least)} to ${show(largest)}.`));
+    const show = in_units(field, info),
+      { low, high, least, largest } = range;
+    const ticks = [
+      element('span', {}, (least < low ? '≤ ' : '') + show(low)),
+      element('span', {}, show((low + high) / 2)),
+      element('span', {}, (largest > high ? '≥ ' : '') + show(high)),
+    ];
+    box.append(
+      element(
+        'div',
+        { class: 'scale' },
+        element('div', { class: 'ramp', style: `background: ${gradient(field.ramp)}` }),
+        element('div', { class: 'ticks' }, ...ticks)
+      )
+    );
+    text.append(
+      element(
+        'span',
+        { class: 'quiet' },
+        `. Colours span the ${100 * low_percentile}nd to ${100 - 100 * low_percentile}th percentile ` +
+          'of the area;' +
+          ` values from ${show(least)} to ${show(largest)}.`
+      )
+    );
   }
   box.append(text);
   box.setAttribute('aria-label', box.textContent);
 }
 
 function make_switches(view, data) {
-  const { mesh, info } = data, ranges = {}, areas = areas_of(mesh);
+  const { mesh, info } = data,
+    ranges = {},
+    areas = areas_of(mesh);
   const choose = field => {
-    if (field.ramp && !ranges[field.name]) 
-      ranges[field.name] = range_of(field, mesh[field.name], field.is_per_face ? areas.faces : areas.vertices);
+    if (field.ramp && !ranges[field.name])
+      ranges[field.name] = range_of(
+        field,
+        mesh[field.name],
+        field.is_per_face ? areas.faces : areas.vertices
+      );
     view.set(field, ranges[field.name]);
     legend(field, ranges[field.name], info);
   };
@@ -118,17 +185,32 @@ function make_switches(view, data) {
     const input = element('input', { type: 'radio', name: 'field', value: field.name });
     input.addEventListener('change', () => choose(field));
     input.checked = k === 0;
-    by_id('fields').append(element('label', { title: `${field.text || 'Chart colours'} (key ${k + 1})` }, input,
-                                   element('span', {}, field.label)));
+    by_id('fields').append(
+      element(
+        'label',
+        { title: `${field.text || 'Chart colours'} (key ${k + 1})` },
+        input,
+        element('span', {}, field.label)
+      )
+    );
   });
   toggle('wireframe', 'Wireframe', 'W', is_on => view.set_wire(is_on));
-  if (data.net && data.net.points.length > 0) toggle('nets', 'Control nets', 'N', is_on => view.set_net(is_on));
+  if (data.net && data.net.points.length > 0)
+    toggle('nets', 'Control nets', 'N', is_on => view.set_net(is_on));
+  by_id('last_key').textContent = shown.length;
+  by_id('net_key').hidden = !by_id('nets');
   by_id('reset').addEventListener('click', () => view.reset());
   document.addEventListener('keydown', event => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const key = event.key.toLowerCase();
-    const target = key === 'w' ? by_id('wireframe') : key === 'n' ? by_id('nets')
-      : /^[1-9]$/.test(key) ? document.querySelectorAll('input[name=field]')[key - 1] : null;
+    const target =
+      key === 'w'
+        ? by_id('wireframe')
+        : key === 'n'
+          ? by_id('nets')
+          : /^[1-9]$/.test(key)
+            ? document.querySelectorAll('input[name=field]')[key - 1]
+            : null;
     if (target) target.click();
   });
   choose(shown[0]);
@@ -137,7 +219,9 @@ function make_switches(view, data) {
 // ---- Values at a point ------------------------------------------------------------------------------
 
 function make_inspector(view, data, atlas) {
-  const tip = by_id('tip'), container = by_id('panels'), { mesh, info } = data;
+  const tip = by_id('tip'),
+    container = by_id('panels'),
+    { mesh, info } = data;
   const on_leave = () => {
     tip.hidden = true;
     view.mark(null);
@@ -147,17 +231,39 @@ function make_inspector(view, data, atlas) {
     if (!at) return on_leave();
     view.mark(p);
     const chart = mesh.charts[at.face];
-    const rows = [['face', count(at.face)]];
-    if (chart >= 0) rows.push(['chart', `${chart} at (${atlas.coordinates(chart, p).map(x => x.toFixed(3)).join(', ')})`]);
-    rows.push([atlas.dimension === 3 ? 'on the sphere' : 'in the domain', `(${p.map(x => x.toFixed(3)).join(', ')})`]);
-    rows.push(['in space', `(${place_of(mesh, at).map((x, k) => short(x * info.diagonal + info.centre[k])).join(', ')})`]);
+    const rows = [[info.faces_of_map > info.faces ? 'face (simplified)' : 'face', count(at.face)]];
+    if (chart >= 0)
+      rows.push([
+        'chart',
+        `${chart} at (${atlas
+          .coordinates(chart, p)
+          .map(x => x.toFixed(3))
+          .join(', ')})`,
+      ]);
+    rows.push([
+      atlas.dimension === 3 ? 'on the sphere' : 'in the domain',
+      `(${p.map(x => x.toFixed(3)).join(', ')})`,
+    ]);
+    rows.push([
+      'in space',
+      `(${place_of(mesh, at)
+        .map((x, k) => short(x * info.diagonal + info.centre[k]))
+        .join(', ')})`,
+    ]);
     for (const field of fields)
       if (field.ramp && mesh[field.name])
-        rows.push([field.label.toLowerCase(), in_units(field, info)(value_at(mesh, field, at.face, at.weights))]);
-    tip.replaceChildren(...rows.flatMap(([name, value]) => [element('b', {}, name), element('span', {}, value)]));
+        rows.push([
+          field.label.toLowerCase(),
+          in_units(field, info)(value_at(mesh, field, at.face, at.weights)),
+        ]);
+    tip.replaceChildren(
+      ...rows.flatMap(([name, value]) => [element('b', {}, name), element('span', {}, value)])
+    );
     tip.hidden = false;
-    const box = container.getBoundingClientRect(), size = tip.getBoundingClientRect();
-    const x = event.clientX - box.left, y = event.clientY - box.top;
+    const box = container.getBoundingClientRect(),
+      size = tip.getBoundingClientRect();
+    const x = event.clientX - box.left,
+      y = event.clientY - box.top;
     tip.style.left = `${Math.max(4, x + 18 + size.width > box.width ? x - size.width - 18 : x + 18)}px`;
     tip.style.top = `${Math.max(4, Math.min(y + 12, box.height - size.height - 4))}px`;
   };
@@ -167,7 +273,8 @@ function make_inspector(view, data, atlas) {
 // ---- Plots and figures ------------------------------------------------------------------------------
 
 function show_plots({ info, mesh }) {
-  const areas = areas_of(mesh).faces, list = [];
+  const areas = areas_of(mesh).faces,
+    list = [];
   for (const field of fields.filter(f => f.is_per_face))
     list.push(histogram(field, mesh[field.name], areas, range_of(field, mesh[field.name], areas)));
   if (info.fit) list.unshift(errors_per_chart(info.fit), convergence(info.fit));
@@ -189,17 +296,28 @@ function rows_of(group, prefix) {
     const label = `${prefix} ${name}`.replace(/_/g, ' ');
     if (value === null || typeof value !== 'object') return [[label, text_of(value, label)]];
     if (!Array.isArray(value)) return rows_of(value, label);
-    return value.every(x => typeof x === 'number') ? [[label, value.map(x => text_of(x, label)).join(' · ')]] : [];
+    return value.every(x => typeof x === 'number')
+      ? [[label, value.map(x => text_of(x, label)).join(' · ')]]
+      : [];
   });
 }
 
 function show_figures({ info }) {
-  const { figures = {} } = info, single = {};
+  const { figures = {} } = info,
+    single = {};
   const add = (name, group) => {
-    const rows = rows_of(group, name).map(([label, value]) => element('tr', {},
-      element('th', { scope: 'row' }, label.slice(name.length + 1).replace(/ bytes$/, '')), element('td', {}, value)));
+    const rows = rows_of(group, name).map(([label, value]) =>
+      element(
+        'tr',
+        {},
+        element('th', { scope: 'row' }, label.slice(name.length + 1).replace(/ bytes$/, '')),
+        element('td', {}, value)
+      )
+    );
     if (rows.length > 0)
-      by_id('figures').append(element('table', {}, element('caption', {}, name), element('tbody', {}, ...rows)));
+      by_id('figures').append(
+        element('table', {}, element('caption', {}, name), element('tbody', {}, ...rows))
+      );
   };
   for (const [name, group] of Object.entries(figures)) {
     if (group === null || typeof group !== 'object') single[name] = group;
@@ -209,7 +327,8 @@ function show_figures({ info }) {
 }
 
 async function start() {
-  const data = await read_data(), atlas = atlases[data.info.atlas];
+  const data = await read_data(),
+    atlas = atlases[data.info.atlas];
   show_head(data);
   show_plots(data);
   show_figures(data);

@@ -36,7 +36,8 @@ const fragment_shader = `
       bool is_dark = mod(squares.x + squares.y, 2.0) > 0.5;
       colour = is_dark ? v_chart_colour * 0.55 : mix(v_chart_colour, vec3(1.0), 0.55);
     }
-    if (mode == 3) colour = v_value < -0.5 ? no_value : texture2D(ramp, vec2(v_value * 0.996 + 0.002, 0.5)).rgb;
+    if (mode == 3)
+      colour = v_value < -0.5 ? no_value : texture2D(ramp, vec2(v_value * 0.996 + 0.002, 0.5)).rgb;
 
     vec3 n = normalize(v_normal);
     if (!gl_FrontFacing) {
@@ -61,7 +62,8 @@ function ramp_texture(name) {
   return texture;
 }
 
-const inverse_of = matrix => matrix.invert ? matrix.clone().invert() : new THREE.Matrix4().getInverse(matrix);
+const inverse_of = matrix =>
+  matrix.invert ? matrix.clone().invert() : new THREE.Matrix4().getInverse(matrix);
 const attribute = (array, n) => new THREE.BufferAttribute(array, n);
 
 // One view of a mesh: `corners` are its triangles, `shape` the canonical surface, or none in space.
@@ -71,20 +73,31 @@ class Panel {
     this.corners = corners;
     this.atlas = atlas;
     this.shape = shape;
-        const geometry = new THREE.BufferGeometry();
+    const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', attribute(corners.position, 3));
     geometry.setAttribute('normal', attribute(corners.normal, 3));
     geometry.setAttribute('edge', attribute(corners.edge, 3));
     geometry.setAttribute('uv', attribute(chart_coordinates(corners, atlas), 2));
-    const chart = f => corners.mesh.charts[f] < 0 ? 9 : corners.mesh.charts[f];
-    geometry.setAttribute('chart', attribute(Float32Array.from({ length: corners.count }, (_, c) => chart(corners.face(c))), 1));
+    const chart = f => (corners.mesh.charts[f] < 0 ? 9 : corners.mesh.charts[f]);
+    geometry.setAttribute(
+      'chart',
+      attribute(
+        Float32Array.from({ length: corners.count }, (_, c) => chart(corners.face(c))),
+        1
+      )
+    );
     this.value = attribute(new Float32Array(corners.count), 1);
     geometry.setAttribute('value', this.value);
     this.material = new THREE.ShaderMaterial({
-      vertexShader: vertex_shader, fragmentShader: fragment_shader, side: THREE.DoubleSide,
+      vertexShader: vertex_shader,
+      fragmentShader: fragment_shader,
+      side: THREE.DoubleSide,
       extensions: { derivatives: true },
-      uniforms: { ...uniforms, is_flat: { value: !!(shape && shape.is_flat) },
-                  has_copies: { value: !!(shape && shape.has_copies) } },
+      uniforms: {
+        ...uniforms,
+        is_flat: { value: !!(shape && shape.is_flat) },
+        has_copies: { value: !!(shape && shape.has_copies) },
+      },
     });
     this.object = new THREE.Group();
     const mesh = new THREE.Mesh(geometry, this.material);
@@ -108,7 +121,9 @@ class Panel {
   }
 
   show(field, range) {
-    const { corners } = this, out = this.value.array, scale = 1 / (range.high - range.low);
+    const { corners } = this,
+      out = this.value.array,
+      scale = 1 / (range.high - range.low);
     for (let c = 0; c < corners.count; ++c) {
       const x = (value_at(corners.mesh, field, corners.face(c), corners.weights, c) - range.low) * scale;
       out[c] = Number.isNaN(x) ? -1 : Math.min(1, Math.max(0, x));
@@ -117,7 +132,8 @@ class Panel {
   }
 
   add_net(net) {
-    const ends = [], colours = [];
+    const ends = [],
+      colours = [];
     for (let q = 0; 12 * q < net.points.length; ++q)
       for (let k = 0; k < 4; ++k)
         for (const corner of [k, (k + 1) % 4]) {
@@ -129,12 +145,24 @@ class Panel {
     geometry.setAttribute('color', attribute(new Float32Array(colours), 3));
     this.net = new THREE.Group();
     for (const hidden of [false, true]) {
-      const look = { vertexColors: THREE.VertexColors === undefined ? true : THREE.VertexColors,
-                     depthTest: !hidden, transparent: hidden, opacity: hidden ? 0.22 : 1 };
+      const look = {
+        vertexColors: THREE.VertexColors === undefined ? true : THREE.VertexColors,
+        depthTest: !hidden,
+        transparent: hidden,
+        opacity: hidden ? 0.22 : 1,
+      };
       this.net.add(new THREE.LineSegments(geometry, new THREE.LineBasicMaterial(look)));
     }
-    this.net.add(new THREE.Points(geometry, new THREE.PointsMaterial({ size: 4, sizeAttenuation: false,
-                                                                       vertexColors: this.net.children[0].material.vertexColors })));
+    this.net.add(
+      new THREE.Points(
+        geometry,
+        new THREE.PointsMaterial({
+          size: 4,
+          sizeAttenuation: false,
+          vertexColors: this.net.children[0].material.vertexColors,
+        })
+      )
+    );
     this.net.visible = false;
     this.object.add(this.net);
   }
@@ -152,16 +180,18 @@ class Panel {
     const from = new THREE.Vector3(0, 0, 0).setFromMatrixPosition(this.camera.matrixWorld);
     const to = new THREE.Vector3(x, y, 0.5).unproject(this.camera).sub(from).transformDirection(inverse);
     from.applyMatrix4(inverse);
-    const { corners, atlas, shape } = this, n = atlas.dimension;
-    const is_shown = shape && shape.has_copies
-      && ((c, at) => blend(corners.domain, c, 2, at).every(z => z >= 0 && z <= 1));
+    const { corners, atlas, shape } = this,
+      n = atlas.dimension;
+    const is_shown =
+      shape && shape.has_copies && ((c, at) => blend(corners.domain, c, 2, at).every(z => z >= 0 && z <= 1));
     const hit = first_hit(corners, from.toArray(), to.toArray(), is_shown);
     if (!hit) return null;
     if (shape) {
       const p = blend(corners.domain, hit.corner, n, hit.at);
       return n === 3 ? unit(p) : p;
     }
-    const { mesh } = corners, v = item(mesh.faces, corners.face(hit.corner), 3);
+    const { mesh } = corners,
+      v = item(mesh.faces, corners.face(hit.corner), 3);
     return atlas.interpolate(mesh.domain, ...v, blend(corners.weights, hit.corner, 3, hit.at));
   }
 }
@@ -170,12 +200,21 @@ class View {
   constructor(container, canvas, has_three_sides) {
     this.container = container;
     this.panels = [];
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+    this.renderer = new THREE.WebGLRenderer({
+      canvas,
+      antialias: true,
+      alpha: true,
+      preserveDrawingBuffer: true,
+    });
     this.renderer.autoClear = false;
     const palette = chart_colours.concat(no_value).map(c => new THREE.Vector3(...rgb(c)));
     this.uniforms = {
-      mode: { value: 1 }, wire: { value: 0 }, palette: { value: palette }, ramp: { value: null },
-      plain: { value: new THREE.Vector3(...rgb(plain)) }, no_value: { value: new THREE.Vector3(...rgb(no_value)) },
+      mode: { value: 1 },
+      wire: { value: 0 },
+      palette: { value: palette },
+      ramp: { value: null },
+      plain: { value: new THREE.Vector3(...rgb(plain)) },
+      no_value: { value: new THREE.Vector3(...rgb(no_value)) },
     };
     this.ramps = { sequential: ramp_texture('sequential'), diverging: ramp_texture('diverging') };
     this.front = new THREE.Quaternion();
@@ -196,12 +235,18 @@ class View {
     const seen = [0, 0, 0];
     for (let f = 0; 3 * f < mesh.faces.length; ++f) {
       const [a, b, c] = item(mesh.faces, f, 3).map(i => item(mesh.points, i, 3));
-      cross(subtract(b, a), subtract(c, a)).forEach((x, k) => { seen[k] += is_closed ? Math.abs(x) : x; });
+      cross(subtract(b, a), subtract(c, a)).forEach((x, k) => {
+        seen[k] += is_closed ? Math.abs(x) : x;
+      });
     }
-    const axis = [2, 0, 1].reduce((a, b) => Math.abs(seen[b]) > 1.05 * Math.abs(seen[a]) ? b : a);
-    const forward = units[axis].map(x => x * (seen[axis] < 0 ? -1 : 1)), up = axis === 1 ? [0, 0, 1] : [0, 1, 0];
-    const matrix = new THREE.Matrix4().makeBasis(new THREE.Vector3(...cross(up, forward)), new THREE.Vector3(...up),
-                                                 new THREE.Vector3(...forward));
+    const axis = [2, 0, 1].reduce((a, b) => (Math.abs(seen[b]) > 1.05 * Math.abs(seen[a]) ? b : a));
+    const forward = units[axis].map(x => x * (seen[axis] < 0 ? -1 : 1)),
+      up = axis === 1 ? [0, 0, 1] : [0, 1, 0];
+    const matrix = new THREE.Matrix4().makeBasis(
+      new THREE.Vector3(...cross(up, forward)),
+      new THREE.Vector3(...up),
+      new THREE.Vector3(...forward)
+    );
     this.front.setFromRotationMatrix(matrix.transpose());
   }
 
@@ -214,8 +259,12 @@ class View {
 
   // Turns all panels about the vertical axis of the first view and the horizontal axis of the screen.
   turn(right, down) {
-    const about = (x, y, z, angle) => new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(x, y, z), angle);
-    this.turned.multiply(about(0, 1, 0, right)).premultiply(about(1, 0, 0, down)).normalize();
+    const about = (x, y, z, angle) =>
+      new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(x, y, z), angle);
+    this.turned
+      .multiply(about(0, 1, 0, right))
+      .premultiply(about(1, 0, 0, down))
+      .normalize();
     this.request();
   }
 
@@ -243,17 +292,27 @@ class View {
     this.request();
   }
 
-  set_wire(is_on) { this.uniforms.wire.value = is_on ? 1 : 0; this.request(); }
-  set_net(is_on) { for (const { net } of this.panels) if (net) net.visible = is_on; this.request(); }
+  set_wire(is_on) {
+    this.uniforms.wire.value = is_on ? 1 : 0;
+    this.request();
+  }
+  set_net(is_on) {
+    for (const { net } of this.panels) if (net) net.visible = is_on;
+    this.request();
+  }
 
   request() {
     if (this.is_requested) return;
     this.is_requested = true;
-    requestAnimationFrame(() => { this.is_requested = false; this.draw(); });
+    requestAnimationFrame(() => {
+      this.is_requested = false;
+      this.draw();
+    });
   }
 
   draw() {
-    const box = this.container.getBoundingClientRect(), { renderer } = this;
+    const box = this.container.getBoundingClientRect(),
+      { renderer } = this;
     renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     renderer.setSize(box.width, box.height);
     renderer.setScissorTest(false);
@@ -261,7 +320,9 @@ class View {
     renderer.clear();
     renderer.setScissorTest(true);
     this.panels.forEach((panel, k) => {
-      const r = panel.element.getBoundingClientRect(), x = r.left - box.left, y = box.bottom - r.bottom;
+      const r = panel.element.getBoundingClientRect(),
+        x = r.left - box.left,
+        y = box.bottom - r.bottom;
       this.arrange(panel, r.width / r.height, this.targets && this.targets[k]);
       renderer.setViewport(x, y, r.width, r.height);
       renderer.setScissor(x, y, r.width, r.height);
@@ -272,8 +333,9 @@ class View {
 
   arrange(panel, aspect, target) {
     const { camera, object, radius, shape } = panel;
-    const half = camera.fov * Math.PI / 360, narrow = Math.min(1, aspect);
-    const distance = 1.02 * radius / Math.sin(Math.atan(Math.tan(half) * narrow));
+    const half = (camera.fov * Math.PI) / 360,
+      narrow = Math.min(1, aspect);
+    const distance = (1.02 * radius) / Math.sin(Math.atan(Math.tan(half) * narrow));
     camera.aspect = aspect;
     camera.near = distance / 50;
     camera.far = distance + 4 * radius;
@@ -295,7 +357,7 @@ class View {
     if (!place) return;
     const p = new THREE.Vector3(...place).applyMatrix4(object.matrixWorld).project(camera);
     dot.hidden = Math.max(Math.abs(p.x), Math.abs(p.y)) > 1;
-    dot.style.left = `${(p.x + 1) / 2 * r.width}px`;
-    dot.style.top = `${(1 - p.y) / 2 * r.height}px`;
+    dot.style.left = `${((p.x + 1) / 2) * r.width}px`;
+    dot.style.top = `${((1 - p.y) / 2) * r.height}px`;
   }
 }

@@ -6,6 +6,8 @@ views are drawn, every switch changes the picture and back, pointer and keys wor
 of map.ply, and the page fits a phone. Status 77 where no browser is installed.
 """
 import itertools
+import json
+import math
 import pathlib
 import re
 import struct
@@ -79,6 +81,16 @@ def distance_from_triangle_plane_and_outside(p, a, b, c):
     s, t = (vv * wu - uv * wv) / (uu * vv - uv * uv), (uu * wv - uv * wu) / (uu * vv - uv * uv)
     rest = [w[k] - s * u[k] - t * v[k] for k in range(3)]
     return dot(rest, rest) ** 0.5, min(s, t, 1 - s - t), max(uu, vv) ** 0.5
+
+
+def chart_point(charts, chart, p):
+    """The coordinates of a domain point in a chart of the square (1), the sphere (6) or the torus (9 charts)."""
+    if charts == 1:
+        return p
+    if charts == 6:
+        x, y, z = (p, p[2:] + p[:2], p[1:] + p[:1])[chart // 2]
+        return chart % 2 + math.atan2(y, x) / math.pi, (math.asin(z) + 3 * math.pi / 8) * 4 / (3 * math.pi)
+    return tuple(1.5 * ((p[k] - (chart % 3, chart // 3)[k] / 3) % 1) for k in range(2))
 
 
 class Page:
@@ -165,6 +177,7 @@ class Page:
         """What hovering says of a point, against the map that the program wrote."""
         names, vertices, faces = read_map(folder / "map.ply")
         diagonal = sum((max(c) - min(c)) ** 2 for c in list(zip(*vertices))[:3]) ** 0.5
+        charts = json.loads(self.browser.run("return document.getElementById('info').textContent"))["charts"]
         for panel in range(self.browser.run("return document.querySelectorAll('.panel').length")):
             self.browser.move_to(*self.middle(panel))
             tip = self.tip()
@@ -183,7 +196,10 @@ class Page:
                        f"view {panel}: the point is not in the face: {tip}")
             if face[3] >= 0:
                 chart, u, v = numbers(tip["chart"])
-                self.check(chart == face[3] and 0 < u < 1 and 0 < v < 1, f"view {panel}: wrong chart: {tip}")
+                p = numbers(tip.get("on the sphere") or tip["in the domain"])
+                expected = chart_point(charts, face[3], p)
+                self.check(chart == face[3] and max(abs(u - expected[0]), abs(v - expected[1])) < 4e-3,
+                           f"view {panel}: wrong chart point: {tip}, {expected}")
             self.check(numbers(tip["angle"])[0] >= 1, f"view {panel}: {tip}")
             dots = self.browser.run("return [...document.querySelectorAll('.dot')].map(e => !e.hidden)")
             self.check(dots[panel], f"view {panel} does not mark the point")
@@ -232,7 +248,8 @@ def main():
         browser.resize(800, 560)
 
         report = work / "map.html"
-        subprocess.run([map_mesh, f"{meshes}/hand.off", "-o", work / "map.ply", "--report", report, "--quiet"], check=True)
+        subprocess.run([map_mesh, f"{meshes}/hand.off", "-o", work / "map.ply", "--report", report, "--quiet"],
+                       check=True)
         browser.open(report)
         page = Page(browser, "map_mesh")
         page.check_panels(2)
