@@ -62,7 +62,7 @@ function ramp_bytes(ramp, n) {
 
 function short(x) {
   if (x === 0) return '0';
-  if (!Number.isFinite(x)) return String(x);
+  if (!Number.isFinite(x)) return '–';
   const size = Math.abs(x);
   return size >= 1e5 || size < 1e-3
     ? x.toExponential(2).replace('e+', 'e').replace('-', '−').replace('e-', 'e−')

@@ -99,6 +99,7 @@ function histogram(field, values, areas, range) {
     sum += areas[f];
     mean += areas[f] * values[f];
   }
+  if (!(sum > 0)) return null; // a mesh without area
   const most = Math.max(...bins) / sum,
     y = y_axis(0, most * 1.08);
   const is_ratio = field.name === 'area'; // given by its logarithm
