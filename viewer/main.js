@@ -114,7 +114,7 @@ function make_view(data, atlas) {
 // Curvatures come in units of the diagonal.
 const in_units = (field, info) => field.show || (x => short(x / info.diagonal ** field.power));
 
-function legend(field, range, info) {
+function legend(field, range, { info, mesh }) {
   const box = by_id('legend'),
     text = element('p', {}, field.text || '');
   box.replaceChildren();
@@ -124,9 +124,10 @@ function legend(field, range, info) {
       list.append(
         element('li', {}, element('i', { style: `background: #${chart_colours[c]}` }), `chart ${c}`)
       );
-    list.append(
-      element('li', {}, element('i', { style: `background: #${no_value}` }), 'face in no single chart')
-    );
+    if (mesh.charts.includes(-1))
+      list.append(
+        element('li', {}, element('i', { style: `background: #${no_value}` }), 'face in no single chart')
+      );
     box.append(list);
     box.setAttribute('aria-label', `Colours of ${info.charts} charts`);
     return;
@@ -173,7 +174,7 @@ function make_switches(view, data) {
         field.is_per_face ? areas.faces : areas.vertices
       );
     view.set(field, ranges[field.name]);
-    legend(field, ranges[field.name], info);
+    legend(field, ranges[field.name], data);
   };
   const toggle = (name, label, key, act) => {
     const input = element('input', { type: 'checkbox', id: name });
