@@ -41,9 +41,11 @@ int main(int argc, char** argv)
     std::cout << balanced.number_of_faces() << " faces for " << mesh.number_of_vertices() << " vertices\n";
 
     // A rule of one's own, together with a limit of the edges: two more levels in one tile.
+    //! [rule]
     const auto rule = [](const auto& triangulation, int face) {
       return triangulation.tile(face) == 4 && triangulation.level(face) < 2 ? 2. : 0.;
     };
+    //! [rule]
     const auto triangles = SM::adaptive_triangulation(surface, SM::parameters::sizing(rule).edge_length(0.1));
     std::cout << triangles.number_of_faces() << " faces, with more in tile 4\n";
     //! [criteria]

@@ -23,6 +23,7 @@ int main(int argc, char** argv)
     const auto map = SM::map_to_torus(mesh);
     const auto surface = SM::fit_surface(map, SM::parameters::max_error(1e-2));
 
+    //! [closest]
     // Built once, asked as often as one likes, from several threads if need be.
     const SM::Closest_point_finder finder(surface);
     double largest = 0;
@@ -39,6 +40,7 @@ int main(int argc, char** argv)
     // One point, near a domain point that is known: no search, a few Newton steps.
     const auto near = SM::closest_point(surface, map.point(0), map.domain_point(0));
     std::cout << "vertex 0 is at a distance of " << near.distance << '\n';
+    //! [closest]
   } catch (const SM::Error& e) {
     std::cerr << e.what() << std::endl;
     return EXIT_FAILURE;

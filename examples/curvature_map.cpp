@@ -38,6 +38,7 @@ int main(int argc, char** argv)
     const auto map = SM::map_to_sphere(mesh);
     const auto surface = SM::fit_surface(map, SM::parameters::max_error(1e-2));
 
+    //! [curvature]
     auto points = fine.add_property_map<Vertex, SM::Chart_point>("v:chart_point").first;
     SM::tessellate(surface, fine, SM::parameters::subdivisions(60).chart_point_map(points));
 
@@ -50,6 +51,7 @@ int main(int argc, char** argv)
       gaussian[v] = SM::gaussian_curvature(jet);
       sizes.push_back(std::abs(mean[v]));
     }
+    //! [curvature]
     // full colour for the strongest twentieth, so that a few sharp spots do not leave the rest white
     const auto strong = sizes.begin() + sizes.size() * 19 / 20;
     std::nth_element(sizes.begin(), strong, sizes.end());

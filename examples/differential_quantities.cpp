@@ -22,6 +22,7 @@ int main(int argc, char** argv)
     const auto map = SM::map_to_sphere(mesh);
     const auto surface = SM::fit_surface(map, SM::parameters::rms_error(1e-3));
 
+    //! [jet]
     // One jet holds the position and all derivatives; everything else follows from it.
     std::size_t sharpest = 0;
     double largest = 0;
@@ -44,6 +45,7 @@ int main(int argc, char** argv)
     std::cout << "at the centre of face 0: normal " << surface.normal(p).transpose() << ", mean curvature "
               << surface.mean_curvature(p) << ", Gaussian curvature "
               << surface.gaussian_curvature(p) << '\n';
+    //! [jet]
   } catch (const SM::Error& e) {
     std::cerr << e.what() << std::endl;
     return EXIT_FAILURE;

@@ -16,6 +16,7 @@
 namespace SM = CGAL::Simple_manifolds;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
+//! [bump]
 /// A model of `BumpFunction`: positive in (0,1), zero outside, with its first two derivatives.
 struct Exponential_bump {
   static constexpr int smoothness = 99; // of all orders
@@ -31,6 +32,7 @@ struct Exponential_bump {
     return {f, f * g, f * (g * g - 2 / (q * q) - 2 * d * d / (q * q * q))};
   }
 };
+//! [bump]
 
 int main(int argc, char** argv)
 {
@@ -39,8 +41,10 @@ int main(int argc, char** argv)
     SM::read_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/icosahedron.off"), mesh);
     const auto map = SM::map_to_sphere(mesh);
     SM::Fit_report report;
+    //! [use]
     const auto surface = SM::fit_surface(
       map, SM::parameters::bump(Exponential_bump()).spline_degree(5).fit_report(std::ref(report)));
+    //! [use]
     std::cout << "rms error " << report.rms_error << " of the diagonal, the surface is C^"
               << surface.smoothness() << '\n';
   } catch (const SM::Error& e) {

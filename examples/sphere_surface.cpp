@@ -22,11 +22,13 @@ int main(int argc, char** argv)
     Mesh mesh;
     SM::read_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/homer.off"), mesh);
 
+    //! [map]
     const SM::Manifold_map<SM::Sphere_atlas> map = SM::map_to_sphere(mesh);
     const SM::Chart_report charts = SM::chart_report(map);
     std::cout << map.certificate().sentence() << "\nmean angle distortion "
               << SM::distortion(map).angle_mean << ", vertices in the six tiles:";
     for (std::size_t n : charts.chart_counts) std::cout << ' ' << n;
+    //! [map]
 
     SM::Fit_report report;
     const auto surface = SM::fit_surface(map, SM::parameters::rms_error(1e-3).fit_report(std::ref(report)));

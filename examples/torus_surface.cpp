@@ -25,6 +25,7 @@ int main(int argc, char** argv)
     const auto surface = SM::fit_surface(map, SM::parameters::fit_report(std::ref(report)));
     std::cout << "rms error " << report.rms_error << " of the diagonal\n";
 
+    //! [line]
     // The domain is periodic: a line u = constant is a closed smooth curve. Here is its length.
     double length = 0;
     const int n = 1000;
@@ -32,6 +33,7 @@ int main(int argc, char** argv)
       const SM::Chart_point q = surface.best_chart_point(Eigen::Vector2d(0.3, (i + 0.5) / n));
       length += surface.jet<1>(q).v.norm() * 1.5 / n; // a chart is 2/3 of the torus wide
     }
+    //! [line]
     std::cout << "length of the line u = 0.3: " << length << '\n';
   } catch (const SM::Error& e) {
     std::cerr << e.what() << std::endl;

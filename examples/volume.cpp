@@ -23,6 +23,7 @@ int main(int argc, char** argv)
     const auto map = SM::map_to_sphere(mesh);
     const auto surface = SM::fit_surface(map, SM::parameters::max_error(1e-2));
 
+    //! [integrals]
     const auto np = SM::parameters::relative_error(1e-5); // more digits cost more time
     const SM::Integral area = SM::area<Tag>(surface, np), volume = SM::volume<Tag>(surface, np);
     std::cout << "area " << area.value << " +- " << area.error << ", volume " << volume.value << " +- "
@@ -35,6 +36,7 @@ int main(int argc, char** argv)
 
     const SM::Integral curvature = SM::integrate<Tag>(surface, SM::gaussian_curvature,
                                                       SM::parameters::relative_error(1e-3));
+    //! [integrals]
     std::cout << "total curvature " << curvature.value << " +- " << curvature.error
               << "; by the theorem of Gauss and Bonnet it is 4 pi = 12.56637\n";
   } catch (const SM::Error& e) {
