@@ -16,8 +16,8 @@
 namespace SM = CGAL::Simple_manifolds;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-//! [bump]
 /// A model of `BumpFunction`: positive in (0,1), zero outside, with its first two derivatives.
+//! [bump]
 struct Exponential_bump {
   static constexpr int smoothness = 99; // of all orders
   static constexpr const char* type = "exponential";
