@@ -419,3 +419,38 @@ TEST_CASE("Surfaces fitted to a real mesh do not wiggle between the samples")
     CHECK(e.max < 1.35 * tolerance);
   }
 }
+
+TEST_CASE("Very large and very small meshes are fitted as others, and refused where squares of areas have no room")
+{
+  double curvature = 0; // of the last fit, at a point, were it of scale 1
+  const auto fit = [&](double scale) {
+    const auto map = octahedron_map(2, [&](const Vector3d& p) -> Vector3d { return scale * p; });
+    SM::Fit_report report;
+    const auto surface = SM::fit_surface(map, SM::parameters::rms_error(1e-2).fit_report(std::ref(report)));
+    CHECK(surface.jet(Vector3d(0, 0, 1)).value.allFinite());
+    CHECK(report.tolerance_reached);
+    curvature = SM::gaussian_curvature(surface.jet(Vector3d(.6, 0, .8))) * scale * scale;
+    return report;
+  };
+  const SM::Fit_report one = fit(1);
+  const double curvature_of_one = curvature;
+  for(const double scale : {1e-59, 1e59}) {
+    const SM::Fit_report other = fit(scale);
+    CHECK(other.controls == one.controls);
+    CHECK(other.rms_error == Approx(one.rms_error).epsilon(1e-6));
+    CHECK(other.closest_point_rms == Approx(one.closest_point_rms).epsilon(1e-6));
+    CHECK(curvature == Approx(curvature_of_one).epsilon(1e-6));
+  }
+  const auto code = [&](double scale) {
+    try {
+      fit(scale);
+    } catch(const SM::Geometry_error& e) {
+      return e.code();
+    }
+    return SM::Error_code::empty_mesh;
+  };
+  CHECK(code(1e61) == SM::Error_code::extent_out_of_range);
+  CHECK(code(1e100) == SM::Error_code::extent_out_of_range);
+  CHECK(code(1e-61) == SM::Error_code::extent_out_of_range);
+  CHECK(code(0) == SM::Error_code::zero_extent);
+}

@@ -14,6 +14,7 @@
 #include <CGAL/Simple_manifolds/embedding/internal/Error_measurement.h>
 #include <CGAL/Simple_manifolds/embedding/internal/Fit_samples.h>
 #include <CGAL/Simple_manifolds/embedding/internal/Hierarchical_fit.h>
+#include <CGAL/Simple_manifolds/embedding/internal/require_extent.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -120,14 +121,13 @@ public:
 
   /// Fits; may be called repeatedly, with equal results.
   /// \param visitor  derived from `Default_visitor`; phases "fit" and "measure"
-  /// \throw Geometry_error  `zero_extent`: all vertices coincide, so that errors have no unit
+  /// \throw Geometry_error  `zero_extent`: all vertices coincide, so that errors have no unit;
+  ///   `extent_out_of_range`: the diagonal of the mesh is not within 1e-60 and 1e60
   /// \throw Numeric_error  a factorisation fails
   template <class Visitor>
   Surface fit(Visitor& visitor)
   {
-    if(!(map_.diagonal() > 0))
-      throw Geometry_error(Error_code::zero_extent, "all " + std::to_string(map_.number_of_vertices())
-                           + " vertices of the map coincide");
+    internal::require_extent(map_);
     const Clock::time_point start = Clock::now();
     report_ = Fit_report();
     report_.rms_tolerance = options_.rms_error;

@@ -60,7 +60,8 @@ constexpr bool is_map<T, std::void_t<typename T::Domain_point, typename T::Locat
 ///   - `vertex_weights` (range of double, one per vertex of the map, all equal): weights of the vertices
 ///   - `fit_report` (`std::reference_wrapper<Fit_report>`): receives errors, counts and times
 ///   - `visitor` (derived from `Default_visitor`, by `std::ref`)
-/// \throw Geometry_error  `zero_extent`: all vertices coincide
+/// \throw Geometry_error  `zero_extent`: all vertices coincide; `extent_out_of_range`: the diagonal of the mesh
+///   is not within 1e-60 and 1e60
 /// \throw Numeric_error  a factorisation fails
 template <class ConcurrencyTag = Sequential_tag, class Map,
           class NamedParameters = parameters::Default_named_parameters,

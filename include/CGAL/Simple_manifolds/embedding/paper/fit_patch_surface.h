@@ -18,6 +18,7 @@
 #include <CGAL/tags.h>
 
 #include <type_traits>
+#include <utility>
 
 /// \file
 
@@ -72,7 +73,8 @@ namespace Simple_manifolds {
 ///   - `patch_fit_report` (`std::reference_wrapper<Patch_fit_report>`): receives patches, errors and times
 ///   - `visitor` (derived from `Default_visitor`, by `std::ref`); phases "fit" and "measure"
 /// \return a `Manifold_surface<typename Map::Atlas, Patch_stack_embedding, Bump>`
-/// \throw Geometry_error  `zero_extent`: all vertices coincide
+/// \throw Geometry_error  `zero_extent`: all vertices coincide; `extent_out_of_range`: the diagonal of the mesh
+///   is not within 1e-60 and 1e60
 /// \throw Numeric_error  a factorisation fails
 template <class ConcurrencyTag = Sequential_tag, class Map,
           class NamedParameters = parameters::Default_named_parameters>
@@ -98,11 +100,13 @@ auto fit_patch_surface(const Map& map, const NamedParameters& np = parameters::d
   read(options.patch_solve, internal_np::patch_solve);
   Default_visitor default_visitor;
   auto& visitor = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
-  Patch_fit_report unused;
-  Patch_fit_report& report =
+  Patch_fit_report unused, report;
+  Patch_fit_report& wanted_report =
     choose_parameter(get_parameter_reference(np, internal_np::patch_fit_report), unused);
   const Bump bump = choose_parameter(get_parameter(np, internal_np::bump), Bump());
-  return internal::Patch_fitter<Map, Bump, ConcurrencyTag>(map, options, bump).fit(report, visitor);
+  auto surface = internal::Patch_fitter<Map, Bump, ConcurrencyTag>(map, options, bump).fit(report, visitor);
+  wanted_report = std::move(report); // only now: a cancelled fit changes nothing
+  return surface;
 }
 
 } // namespace Simple_manifolds

@@ -15,6 +15,7 @@
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/internal/Error_measurement.h>
+#include <CGAL/Simple_manifolds/embedding/internal/require_extent.h>
 #include <CGAL/Simple_manifolds/embedding/paper/Patch_fit_options.h>
 #include <CGAL/Simple_manifolds/embedding/paper/Patch_fit_report.h>
 #include <CGAL/Simple_manifolds/embedding/paper/internal/Chart_patch_fit.h>
@@ -55,9 +56,7 @@ public:
   template <class Visitor>
   Surface fit(Patch_fit_report& report, Visitor& visitor)
   {
-    if(!(map_.diagonal() > 0))
-      throw Geometry_error(Error_code::zero_extent, "all " + std::to_string(map_.number_of_vertices())
-                           + " vertices of the map coincide");
+    require_extent(map_);
     const Clock::time_point start = Clock::now();
     report = Patch_fit_report();
     report.average_tolerance = options_.average_delta;
