@@ -14,6 +14,7 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <new>
 #include <string>
 
 #ifdef CGAL_SIMPLE_MANIFOLDS_USE_CHOLMOD
@@ -34,6 +35,7 @@ using Sparse_matrix = Eigen::SparseMatrix<double>;
 
 /// The solution of a x = b, and the memory that it took.
 /// \throw Numeric_error  the factorisation fails
+/// \throw std::bad_alloc  the memory does not suffice
 inline Eigen::MatrixX3d solve_cholesky(const Sparse_matrix& a, const Eigen::MatrixX3d& b, std::size_t& bytes)
 {
 #ifdef CGAL_SIMPLE_MANIFOLDS_USE_CHOLMOD
@@ -45,14 +47,23 @@ inline Eigen::MatrixX3d solve_cholesky(const Sparse_matrix& a, const Eigen::Matr
   solver.cholmod().print = 0;    // nothing on the console
   solver.cholmod().nmethods = 1; // METIS, which would be tried next, takes longer than it saves
   solver.cholmod().method[0].ordering = CHOLMOD_AMD;
+  const auto require_memory = [&solver] { // which Eigen does not ask for
+    if(solver.cholmod().status == CHOLMOD_OUT_OF_MEMORY)
+      throw std::bad_alloc();
+  };
 #else
   Eigen::SimplicialLLT<Sparse_matrix, Eigen::Lower> solver;
+  const auto require_memory = [] {};
 #endif
-  solver.compute(a);
+  solver.analyzePattern(a);
+  require_memory();
+  solver.factorize(a);
+  require_memory();
   if(solver.info() != Eigen::Success)
     throw Numeric_error(Error_code::numeric_failure, "the normal equations of " + std::to_string(a.rows())
                         + " controls cannot be factored");
   Eigen::MatrixX3d x = solver.solve(b);
+  require_memory();
 #ifdef CGAL_SIMPLE_MANIFOLDS_USE_CHOLMOD
   bytes = solver.cholmod().memory_usage;
 #else
