@@ -180,6 +180,7 @@ int write(Job& job, const Map& map, const Surface& surface, const SM::Fit_report
     });
   SM::Atomic_file metrics_file(job.folder.file("metrics.json"));
   write_metrics(metrics_file, completed(std::move(metrics), "fit_mesh", job.watch));
+  throw_if_interrupted();
   job.folder.commit();
 
   if (!has_report && !is_quiet)
@@ -275,8 +276,9 @@ int main(int argc, char** argv)
       "into DIR: map.ply (a map that suits the fit: angles before areas), surface.json, surface.ply,\n"
       "metrics.json, report.html (all this for a browser) and, with --samples, samples.csv.\n"
       "With --method paper both the map and the fit are those of Grimm 2002.\n"
-      "Exit status: 0 success, 1 tolerance not reached (the files are written), 2 usage, 3 unreadable\n"
-      "input, 4 unsupported topology or geometry.");
+      "Exit status: 0 success, 1 tolerance not reached (the files are written), 2 usage, or files cannot be\n"
+      "written, 3 unreadable input, 4 unsupported topology or geometry, or too little memory, 130 or 143\n"
+      "ended by ctrl-C or kill. Above 1 no file is written.");
     options.add("surface", po::value<std::string>(),
                 "what is fitted: hierarchical (splines), or patches (Grimm 2002, 7 x 7 controls each);\n"
                 "default: hierarchical, with --method paper patches");

@@ -37,7 +37,8 @@ int main(int argc, char** argv)
       "map_mesh INPUT -o OUT.ply [options]",
       "Maps a mesh (OFF, OBJ, PLY, STL; closed of genus 0 or 1, or a disk) one to one onto the unit sphere,\n"
       "the flat torus or the unit square, and writes the map.\n"
-      "Exit status: 0 success, 2 usage, 3 unreadable input, 4 unsupported topology or geometry.");
+      "Exit status: 0 success, 2 usage, or the file cannot be written, 3 unreadable input, 4 unsupported\n"
+      "topology or geometry, or too little memory, 130 or 143 ended by ctrl-C or kill.");
     options.add("energy", po::value<std::string>()->default_value("symmetric_dirichlet"),
                 "the distortion to minimise: symmetric_dirichlet, amips");
     options.add("lambda", po::value<double>()->default_value(SM::Map_options().lambda, "0.3"),
@@ -96,6 +97,7 @@ int main(int argc, char** argv)
                                {"refine", options.get<bool>("refine")}};
       metrics["map"]["criteria"] = metrics_of_criteria(map);
       if (is_paper(options)) metrics["partition"] = metrics_of_partition(partition);
+      throw_if_interrupted(); // no more from here on: there are all files or none
       std::optional<SM::Atomic_file> metrics_file; // first: no map without its metrics
       if (options.has("metrics")) metrics_file.emplace(options.get<std::string>("metrics"));
       if (options.has("report"))

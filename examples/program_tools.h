@@ -30,8 +30,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <functional>
 #include <iostream>
@@ -50,8 +52,31 @@ enum Status {
   TOLERANCE_NOT_REACHED = 1,
   USAGE = 2,
   UNREADABLE_INPUT = 3,
-  UNSUPPORTED_INPUT = 4
+  UNSUPPORTED_INPUT = 4,
+  INTERRUPTED = 128 // plus the number of the signal
 };
+
+/// What is thrown when a signal has asked the program to end: destructors then remove its temporary files.
+struct Interrupted {};
+
+inline std::atomic<int> interrupting_signal{0};
+
+inline void throw_if_interrupted()
+{
+  if (interrupting_signal != 0) throw Interrupted();
+}
+
+/// A signal is answered at the next step of the visitor or before files appear, a second one at once.
+inline void answer_signals()
+{
+  for (int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto before = std::signal(signal, [](int s) {
+      interrupting_signal = s;
+      std::signal(s, SIG_DFL);
+    });
+    if (before == SIG_IGN) std::signal(signal, SIG_IGN); // as nohup wants it
+  }
+}
 
 inline int status_of(const SM::Error& e)
 {
@@ -73,9 +98,12 @@ int run(const char* name, const Program& program)
     return status;
   };
   try {
+    answer_signals();
     return program();
   } catch (const Done&) {
     return SUCCESS;
+  } catch (const Interrupted&) {
+    return fail("interrupted, nothing is written", INTERRUPTED + interrupting_signal);
   } catch (const Usage_error& e) {
     return fail(e.what() + std::string(" (see ") + name + " --help)", USAGE);
   } catch (const po::error& e) {
@@ -89,7 +117,8 @@ int run(const char* name, const Program& program)
   }
 }
 
-/// Shows the running phase on a terminal, in one line that is wiped at the end; nothing into a pipe.
+/// Shows the running phase on a terminal, in one line that is wiped at the end; nothing into a pipe. Ends the
+/// program when a signal asks for it.
 class Progress : public SM::Default_visitor {
 public:
   explicit Progress(bool is_quiet) : is_shown_(!is_quiet && isatty(STDERR_FILENO)) {}
@@ -103,6 +132,7 @@ public:
   }
   void progress(double fraction)
   {
+    throw_if_interrupted();
     const int percent = int(100 * fraction);
     if (!is_shown_ || percent == percent_) return;
     percent_ = percent;
