@@ -36,9 +36,11 @@ public:
   /// \name The mesh and its domain points
   /// @{
 
+  /// The atlas of the domain.
   const Atlas& atlas() const;
-
+  /// Vertices of the mesh, virtual ones included.
   std::size_t number_of_vertices() const;
+  /// Faces of the mesh, all of them triangles, virtual ones included.
   std::size_t number_of_faces() const;
   /// Whether a face is no part of the mesh but closes one of its borders; nothing is fitted to it.
   bool is_virtual(std::size_t f) const;

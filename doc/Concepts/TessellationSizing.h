@@ -11,9 +11,7 @@
 /// A model has *one* of the two operators. The first is the faster one where a surface has to be evaluated,
 /// since ranges of points are evaluated much faster than single points. The second is that of a lambda
 /// expression such as
-/// \code{.cpp}
-/// [&](const auto& triangulation, int face) { return triangulation.level(face) < 3 ? 2. : 0.; }
-/// \endcode
+/// \snippet adaptive_tessellation.cpp rule
 ///
 /// \cgalRefines{CopyConstructible}
 ///

@@ -52,13 +52,17 @@ enum class Error_code {
 /// The element of a mesh that an error is about: indices are positions in the iteration order of the
 /// mesh (or of the file). An edge has two indices, those of its end vertices.
 struct Mesh_element {
+  /// The kinds of elements.
   enum Kind { NONE, VERTEX, EDGE, FACE };
-  Kind kind = NONE;
+  Kind kind = NONE;       ///< what it is
   std::size_t first = 0;  ///< index of the vertex or of the face, or the first end of the edge
   std::size_t second = 0; ///< second end of the edge
 
+  /// A vertex.
   static Mesh_element vertex(std::size_t v) { return {VERTEX, v, 0}; }
+  /// The edge of v and w.
   static Mesh_element edge(std::size_t v, std::size_t w) { return {EDGE, v, w}; }
+  /// A face.
   static Mesh_element face(std::size_t f) { return {FACE, f, 0}; }
 };
 
@@ -68,10 +72,13 @@ struct Mesh_element {
 /// the numbers, and the offending element of the mesh where there is one.
 class Error : public std::runtime_error {
 public:
+  /// \param message  one sentence, what `what()` returns
   Error(Error_code code, const std::string& message, Mesh_element element = Mesh_element())
     : std::runtime_error(message), code_(code), element_(element) {}
 
+  /// The cause.
   Error_code code() const { return code_; }
+  /// The offending element, or `NONE`.
   const Mesh_element& element() const { return element_; }
 
 private:
@@ -106,7 +113,9 @@ public:
     : Error(code, file + (line ? ", line " + std::to_string(line) : std::string()) + ": " + what, element),
       file_(std::move(file)), line_(line) {}
 
+  /// The name of the file.
   const std::string& file() const { return file_; }
+  /// The line, from 1; 0: unknown.
   std::size_t line() const { return line_; }
 
 private:

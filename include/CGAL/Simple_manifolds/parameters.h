@@ -64,11 +64,13 @@ CGAL_SIMPLE_MANIFOLDS_FOR_EACH_PARAMETER(CGAL_SIMPLE_MANIFOLDS_TAG)
 #undef CGAL_SIMPLE_MANIFOLDS_TAG
 } // namespace internal_np
 
+/// \ingroup PkgSimpleManifoldsRef
+///
 /// A pack of named parameters that ends with one of this package: it can be continued by the
 /// package's parameters and by CGAL's, e.g. `max_error(1e-3).rms_error(1e-4).verbose(true)`.
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base> {
-  using Pack = CGAL::Named_function_parameters<T, Tag, Base>;
+  using Pack = CGAL::Named_function_parameters<T, Tag, Base>; ///< the same without our members
   using Pack::Pack;
 
 #define CGAL_SIMPLE_MANIFOLDS_MEMBER(name)                                                           \

@@ -41,8 +41,8 @@ namespace Simple_manifolds {
 struct Charted_mesh {
   /// One number per vertex.
   struct Field {
-    std::string name;
-    std::vector<double> values;
+    std::string name;           ///< in files
+    std::vector<double> values; ///< one per vertex or face
   };
 
   std::string kind;                       ///< of the mesh, for comments in files

@@ -50,7 +50,7 @@ class Smoothstep_bump {
   static_assert(K >= 0, "a bump is continuous at least");
 
 public:
-  static constexpr int smoothness = K;
+  static constexpr int smoothness = K;              ///< its continuous derivatives
   static constexpr const char* type = "smoothstep"; ///< the spelling in files
 
   /// The value at `x`; 0 outside of (0,1).
@@ -106,7 +106,7 @@ class Bspline_bump {
   static_assert(K >= 0, "a bump is continuous at least");
 
 public:
-  static constexpr int smoothness = K;
+  static constexpr int smoothness = K;           ///< its continuous derivatives
   static constexpr int degree = K + 1;           ///< the degree of the B-spline
   static constexpr const char* type = "bspline"; ///< the spelling in files
 
@@ -175,7 +175,7 @@ class Polynomial_bump {
   static_assert(K >= 0, "a bump is continuous at least");
 
 public:
-  static constexpr int smoothness = K;
+  static constexpr int smoothness = K;              ///< its continuous derivatives
   static constexpr const char* type = "polynomial"; ///< the spelling in files
 
   /// The value at `x`; 0 outside of (0,1).

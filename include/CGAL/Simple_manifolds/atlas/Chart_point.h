@@ -20,8 +20,8 @@ namespace Simple_manifolds {
 /// A point of the manifold, seen in one chart: `[chart, (u,v)]` with (u,v) in the open unit square
 /// (Grimm 2002, section 3).
 struct Chart_point {
-  int chart = 0;
-  Eigen::Vector2d uv = Eigen::Vector2d(0.5, 0.5);
+  int chart = 0;                                  ///< index of the chart
+  Eigen::Vector2d uv = Eigen::Vector2d(0.5, 0.5); ///< its coordinates, in the unit square
 };
 
 namespace internal {

@@ -23,7 +23,12 @@ namespace Simple_manifolds {
 /// \tparam T  the type of the values: `double`, `Eigen::Vector2d` or `Eigen::Vector3d`
 template <class T>
 struct Basic_jet {
-  T value, u, v, uu, uv, vv;
+  T value, ///< of the function
+    u,     ///< its derivative by u
+    v,     ///< its derivative by v
+    uu,    ///< its second derivative by u
+    uv,    ///< its mixed second derivative
+    vv;    ///< its second derivative by v
 
   /// The jet of the constant 0.
   static Basic_jet zero()
@@ -36,6 +41,7 @@ struct Basic_jet {
     }
   }
 
+  /// Adds a jet.
   Basic_jet& operator+=(const Basic_jet& f)
   {
     value += f.value; u += f.u; v += f.v; uu += f.uu; uv += f.uv; vv += f.vv;
@@ -43,9 +49,17 @@ struct Basic_jet {
   }
 };
 
-using Scalar_jet = Basic_jet<double>;              ///< jet of a weight
-using Transition_jet = Basic_jet<Eigen::Vector2d>; ///< jet of a transition
-using Jet = Basic_jet<Eigen::Vector3d>;            ///< jet of a surface: E, E_u, ..., E_vv
+/// \ingroup PkgSimpleManifoldsAtlas
+/// The jet of a weight.
+using Scalar_jet = Basic_jet<double>;
+
+/// \ingroup PkgSimpleManifoldsAtlas
+/// The jet of a transition.
+using Transition_jet = Basic_jet<Eigen::Vector2d>;
+
+/// \ingroup PkgSimpleManifoldsAtlas
+/// The jet of a surface: E, E_u, E_v, E_uu, E_uv, E_vv.
+using Jet = Basic_jet<Eigen::Vector3d>;
 
 /// \ingroup PkgSimpleManifoldsAtlas
 ///

@@ -38,30 +38,33 @@ namespace Simple_manifolds {
 template <class Atlas_, class Bump_ = Smoothstep_bump<2>>
 class Partition_of_unity {
 public:
-  using Atlas = Atlas_;
-  using Bump = Bump_;
-  using Domain_point = typename Atlas::Domain_point;
+  using Atlas = Atlas_;                              ///< the canonical surface with its charts
+  using Bump = Bump_;                                ///< the bump function
+  using Domain_point = typename Atlas::Domain_point; ///< a point of the canonical surface
 
   /// The weight of one chart at a point.
   struct Weight {
     Chart_point point; ///< the point in that chart
-    double weight;
+    double weight;     ///< b_c, in [0,1]
   };
 
   /// The weight of one chart with its derivatives by the coordinates of the reporting chart.
   struct Weight_jet {
     Chart_point point;         ///< the point in this weight's chart
     Transition_jet transition; ///< from the reporting chart to this weight's chart
-    Scalar_jet weight;
+    Scalar_jet weight;         ///< b_c and its derivatives
   };
 
   using Weight_list = internal::Short_list<Weight, Atlas::max_charts_per_point>;         ///< a range
   using Weight_jet_list = internal::Short_list<Weight_jet, Atlas::max_charts_per_point>; ///< a range
 
+  /// The partition of unity of the bumps on all charts of an atlas.
   explicit Partition_of_unity(const Bump& bump = Bump(), const Atlas& atlas = Atlas())
     : bump_(bump), atlas_(atlas) {}
 
+  /// The atlas of the domain.
   const Atlas& atlas() const { return atlas_; }
+  /// The bump function.
   const Bump& bump() const { return bump_; }
 
   /// The product of the two bumps, not normalised, at the coordinates `uv` of any chart.

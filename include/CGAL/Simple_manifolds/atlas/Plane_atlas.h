@@ -34,34 +34,41 @@ namespace Simple_manifolds {
 /// \cgalModels{ManifoldAtlas}
 class Plane_atlas {
 public:
-  using Domain_point = Eigen::Vector2d;
-  using Domain_jet = Basic_jet<Domain_point>;
-  static constexpr int max_charts_per_point = 1;
+  using Domain_point = Eigen::Vector2d;          ///< (u,v) in the closed unit square
+  using Domain_jet = Basic_jet<Domain_point>;    ///< a domain point with its derivatives by (u,v)
+  static constexpr int max_charts_per_point = 1; ///< size of the longest `Chart_list`
+  /// A range of chart points, without allocation.
   using Chart_list = internal::Short_list<Chart_point, max_charts_per_point>;
 
-  static constexpr int genus = 0;
-  static constexpr bool is_closed = false;
-  static constexpr int number_of_charts = 1;
+  static constexpr int genus = 0;              ///< of the canonical surface
+  static constexpr bool is_closed = false;     ///< whether it has no border
+  static constexpr int number_of_charts = 1;   ///< and of tiles
   static constexpr const char* name = "plane"; ///< the spelling in files
-  static constexpr double area = 1;
+  static constexpr double area = 1;            ///< of the canonical surface
 
   /// The one chart, the identity of the closed square.
   /// \cgalModels{ManifoldChart}
   class Chart {
   public:
-    using Domain_point = Plane_atlas::Domain_point;
+    using Domain_point = Plane_atlas::Domain_point; ///< (u,v) in the closed unit square
 
+    /// Whether p is in the closed square.
     bool contains(const Domain_point& p) const { return p[0] >= 0 && p[0] <= 1 && p[1] >= 0 && p[1] <= 1; }
 
+    /// The coordinates of p. \pre `contains(p)`
     Eigen::Vector2d coordinates(const Domain_point& p) const
     {
       CGAL_precondition(contains(p));
       return p;
     }
 
+    /// The inverse of the chart.
     Domain_point point(const Eigen::Vector2d& uv) const { return uv; }
+    /// The inverse with its derivatives.
     Domain_jet point_jet(const Eigen::Vector2d& uv) const { return identity_jet(uv); }
+    /// The derivatives of the inverse at a domain point.
     Domain_jet jet_at(const Domain_point& p) const { return identity_jet(p); }
+    /// The coordinates of a curve or surface of domain points.
     Transition_jet coordinates_jet(const Domain_jet& p) const { return p; }
   };
 
@@ -81,8 +88,10 @@ public:
   /// \pre `contains(c, p)`
   Eigen::Vector2d coordinates(int c, const Domain_point& p) const { return chart(c).coordinates(p); }
 
+  /// The domain point of a chart point.
   Domain_point point(const Chart_point& q) const { return chart(q.chart).point(q.uv); }
 
+  /// All charts that contain p, with its coordinates.
   Chart_list charts_at(const Domain_point& p) const
   {
     Chart_list list;
@@ -90,18 +99,23 @@ public:
     return list;
   }
 
+  /// The chart whose tile contains the point.
   int best_chart(const Domain_point&) const { return 0; }
 
+  /// Whether two charts overlap.
   bool has_transition(int, int) const { return true; }
 
+  /// From one chart to another: the identity.
   Eigen::Vector2d transition(int, int, const Eigen::Vector2d& uv) const { return uv; }
 
+  /// The transition with its derivatives.
   Transition_jet transition_jet(int, int, const Eigen::Vector2d& uv) const { return identity_jet(uv); }
 
   /// @}
   /// \name Tiles
   /// @{
 
+  /// The tile that contains the point.
   int tile(const Domain_point&) const { return 0; }
 
   /// The point (s,t) of the closed unit square.

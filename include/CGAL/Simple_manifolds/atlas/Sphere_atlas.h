@@ -49,22 +49,23 @@ class Sphere_atlas {
   static constexpr double largest_z = 0.92387953251128676; // sin(3 pi/8)
 
 public:
-  using Domain_point = Eigen::Vector3d;
-  using Domain_jet = Basic_jet<Domain_point>;
-  static constexpr int max_charts_per_point = 3;
+  using Domain_point = Eigen::Vector3d;          ///< a unit vector
+  using Domain_jet = Basic_jet<Domain_point>;    ///< a domain point with its derivatives by (u,v)
+  static constexpr int max_charts_per_point = 3; ///< size of the longest `Chart_list`
+  /// A range of chart points, without allocation.
   using Chart_list = internal::Short_list<Chart_point, max_charts_per_point>;
 
-  static constexpr int genus = 0;
-  static constexpr bool is_closed = true;
-  static constexpr int number_of_charts = 6;
+  static constexpr int genus = 0;               ///< of the canonical surface
+  static constexpr bool is_closed = true;       ///< whether it has no border
+  static constexpr int number_of_charts = 6;    ///< and of tiles
   static constexpr const char* name = "sphere"; ///< the spelling in files
-  static constexpr double area = 4 * pi;
+  static constexpr double area = 4 * pi;        ///< of the canonical surface
 
   /// One chart. All of its members work in the frame in which it is chart 0.
   /// \cgalModels{ManifoldChart}
   class Chart {
   public:
-    using Domain_point = Sphere_atlas::Domain_point;
+    using Domain_point = Sphere_atlas::Domain_point; ///< a unit vector
 
     /// \pre `0 <= c < number_of_charts`
     explicit Chart(int c)
@@ -151,6 +152,7 @@ public:
     int x_, y_, z_;    // the axes of the domain that are the axes of the chart
   };
 
+  /// Chart c. \pre `0 <= c < number_of_charts`
   Chart chart(int c) const { return Chart(c); }
 
   /// \name Charts
@@ -162,6 +164,7 @@ public:
   /// \pre `contains(c, p)`
   Eigen::Vector2d coordinates(int c, const Domain_point& p) const { return chart(c).coordinates(p); }
 
+  /// The domain point of a chart point.
   Domain_point point(const Chart_point& q) const { return chart(q.chart).point(q.uv); }
 
   /// All the charts that contain `p`, in increasing order: one of each pair of opposite charts at most.

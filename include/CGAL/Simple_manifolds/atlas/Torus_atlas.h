@@ -45,22 +45,23 @@ class Torus_atlas {
   static constexpr double third = 1. / 3, two_thirds = 2. / 3;
 
 public:
-  using Domain_point = Eigen::Vector2d;
-  using Domain_jet = Basic_jet<Domain_point>;
-  static constexpr int max_charts_per_point = 4;
+  using Domain_point = Eigen::Vector2d;          ///< (u,v), each in [0,1)
+  using Domain_jet = Basic_jet<Domain_point>;    ///< a domain point with its derivatives by (u,v)
+  static constexpr int max_charts_per_point = 4; ///< size of the longest `Chart_list`
+  /// A range of chart points, without allocation.
   using Chart_list = internal::Short_list<Chart_point, max_charts_per_point>;
 
-  static constexpr int genus = 1;
-  static constexpr bool is_closed = true;
-  static constexpr int number_of_charts = 9;
+  static constexpr int genus = 1;              ///< of the canonical surface
+  static constexpr bool is_closed = true;      ///< whether it has no border
+  static constexpr int number_of_charts = 9;   ///< and of tiles
   static constexpr const char* name = "torus"; ///< the spelling in files
-  static constexpr double area = 1;
+  static constexpr double area = 1;            ///< of the canonical surface
 
   /// One chart: the same thing in both directions, the column of the chart in u, its row in v.
   /// \cgalModels{ManifoldChart}
   class Chart {
   public:
-    using Domain_point = Torus_atlas::Domain_point;
+    using Domain_point = Torus_atlas::Domain_point; ///< (u,v), each in [0,1)
 
     /// \pre `0 <= c < number_of_charts`
     explicit Chart(int c) : column_(c % 3), row_(c / 3) { CGAL_precondition(0 <= c && c < number_of_charts); }
@@ -107,6 +108,7 @@ public:
     int column_, row_;
   };
 
+  /// Chart c. \pre `0 <= c < number_of_charts`
   Chart chart(int c) const { return Chart(c); }
 
   /// \name Charts
@@ -119,6 +121,7 @@ public:
   /// \pre `contains(c, p)`
   Eigen::Vector2d coordinates(int c, const Domain_point& p) const { return chart(c).coordinates(p); }
 
+  /// The domain point of a chart point.
   Domain_point point(const Chart_point& q) const { return chart(q.chart).point(q.uv); }
 
   /// All the charts that contain `p`, in increasing order.

@@ -45,13 +45,13 @@ namespace Simple_manifolds {
 template <class Atlas_>
 class Manifold_map {
 public:
-  using Atlas = Atlas_;
-  using Domain_point = typename Atlas::Domain_point;
+  using Atlas = Atlas_;                              ///< the canonical surface with its charts
+  using Domain_point = typename Atlas::Domain_point; ///< a point of the canonical surface
 
   /// A point of the mesh: a face and barycentric coordinates in it, none negative, with sum 1 up to rounding.
   struct Location {
-    int face = -1;
-    Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
+    int face = -1;                                         ///< index of the face
+    Eigen::Vector3d barycentric = Eigen::Vector3d::Zero(); ///< for its three corners, of sum 1
   };
 
   /// \param points  the vertices in space
@@ -77,9 +77,14 @@ public:
 
   /// \name The map as arrays
   /// @{
+
+  /// The atlas of the domain.
   const Atlas& atlas() const { return atlas_; }
+  /// Its vertices, virtual ones included.
   std::size_t number_of_vertices() const { return points_.size(); }
+  /// Its triangles, virtual ones included.
   std::size_t number_of_faces() const { return faces_.size(); }
+  /// The vertices from here on were added, see the constructor.
   std::size_t number_of_input_vertices() const { return number_of_input_vertices_; }
   /// The number of faces that close borders; they come last.
   std::size_t number_of_virtual_faces() const { return number_of_virtual_faces_; }
@@ -100,8 +105,11 @@ public:
   /// \pre `v < number_of_vertices()`
   const Domain_point& domain_point(std::size_t v) const { return domain_points_[v]; }
 
+  /// The positions of the vertices.
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
+  /// The vertices of the faces.
   const std::vector<Triangle>& faces() const { return faces_; }
+  /// The domain points of the vertices.
   const std::vector<Domain_point>& domain_points() const { return domain_points_; }
 
   /// The default chart of a face: the chart that contains the whole face and whose centre is nearest to

@@ -37,7 +37,7 @@ namespace Simple_manifolds {
 /// The proof that a map is one to one, or what is wrong with it. All signs are those of the stored
 /// doubles, decided exactly.
 struct Certificate {
-  std::size_t faces = 0;
+  std::size_t faces = 0;              ///< of the map
   std::size_t flipped = 0;            ///< faces that are negative in the domain
   std::size_t degenerate = 0;         ///< faces without area in the domain
   std::size_t unliftable = 0;         ///< torus: faces with an edge of size 1/2 or that wind round a handle
@@ -46,7 +46,7 @@ struct Certificate {
   std::vector<int> offending_vertices;///< the first 16 of them
   double degree = 0;                  ///< signed area of all faces over the area of the domain
   double smallest_domain_area = 0;    ///< signed, of one face; on the sphere in steradians
-  bool degree_is_one = false;
+  bool degree_is_one = false;         ///< the faces cover the domain once
   bool area_is_exact = false;         ///< torus, square: the areas were summed exactly, not in doubles
   bool topology_ok = false;           ///< a surface of the domain's genus and border, connected
   std::string topology_message;       ///< what the mesh is, or why it is no surface

@@ -50,7 +50,7 @@ struct Criteria_report {
   std::vector<Star_criteria> stars;      ///< per vertex; for a vertex of no face the default
   std::size_t vertices = 0;              ///< of faces
   std::size_t vertices_outside = 0;      ///< a chart contains the star, but the polygon not the vertex
-  std::size_t convex_stars = 0;
+  std::size_t convex_stars = 0;          ///< criterion 4
   std::vector<int> first_without_chart;  ///< up to 16 vertices that violate criterion 2
   std::vector<int> first_outside;        ///< up to 16 vertices that violate criterion 3
 

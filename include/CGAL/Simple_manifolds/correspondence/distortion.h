@@ -42,9 +42,9 @@ namespace Simple_manifolds {
 struct Distortion {
   double angle_mean = 0;           ///< of sigma1 / sigma2: 1 when conformal
   double angle_p99 = 0;            ///< its weighted 99th percentile
-  double angle_max = 0;
+  double angle_max = 0;            ///< its largest value
   double area_mean_abs_log10 = 0;  ///< of |log10 (share of the domain's area / share of the mesh's area)|
-  double area_max_abs_log10 = 0;
+  double area_max_abs_log10 = 0;   ///< its largest value
   /// Mean of (sigma1^2 + sigma2^2 + sigma1^-2 + sigma2^-2) / 4: 1 when isometric, else larger.
   double symmetric_dirichlet = 0;
   /// 1 / mean of (sigma1^-2 + sigma2^-2) / 2, the L2 stretch efficiency: 1 is best (Sander et al. 2001).

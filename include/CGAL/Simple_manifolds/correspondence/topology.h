@@ -29,17 +29,19 @@ namespace Simple_manifolds {
 /// What a mesh is: an oriented surface, described by numbers. All of them leave isolated vertices out.
 struct Mesh_topology {
   std::size_t vertices = 0;          ///< vertices of faces
-  std::size_t edges = 0;
-  std::size_t faces = 0;
+  std::size_t edges = 0;             ///< of faces
+  std::size_t faces = 0;             ///< all faces
   std::size_t isolated_vertices = 0; ///< vertices of no face
   std::size_t components = 0;        ///< connected components
-  std::size_t border_loops = 0;
-  std::size_t border_edges = 0;
+  std::size_t border_loops = 0;      ///< closed border curves
+  std::size_t border_edges = 0;      ///< edges of one face
   std::size_t longest_border = 0;    ///< edges of the longest border loop
   long euler_characteristic = 0;     ///< V - E + F
   long genus = 0;                    ///< number of handles, summed over the components
 
+  /// Whether there is no border.
   bool is_closed() const { return border_loops == 0; }
+  /// Whether it is one piece.
   bool is_connected() const { return components == 1; }
   /// Whether the mesh is a disk: connected, one border loop, no handle.
   bool is_disk() const { return is_connected() && border_loops == 1 && genus == 0; }

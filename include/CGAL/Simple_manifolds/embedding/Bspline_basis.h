@@ -32,7 +32,7 @@ namespace Simple_manifolds {
 /// \tparam D      the degree, 0 to `maximum_spline_degree`
 template <int D, class FT = double>
 struct Bspline_basis {
-  static constexpr int degree = D;
+  static constexpr int degree = D;      ///< of the splines
   using Values = std::array<FT, D + 1>; ///< one number per translate
 
   /// The D+1 values at t.

@@ -27,7 +27,7 @@ struct Fit_errors {
   double rms_error = 0;          ///< root mean square of |E(p) - M(p)|, the *parametric* distance
   double max_error = 0;          ///< its largest value
   double closest_point_rms = 0;  ///< the same for the distance of M(p) from the surface
-  double closest_point_max = 0;
+  double closest_point_max = 0;  ///< their largest
   double normal_deviation = 0;   ///< root mean square angle between the normals of E and of the face, radians
   double chart_disagreement = 0; ///< root mean square of b_c |E_c - M| over the charts that see a point
 };
@@ -44,40 +44,41 @@ struct Fit_report : Fit_errors {
 
   /// One step of the refinement, the coarsest first.
   struct Level {
-    std::size_t controls;
-    double rms_error, max_error;
+    std::size_t controls; ///< of all charts
+    double rms_error,     ///< root mean square
+      max_error;          ///< largest
   };
 
   /// Wall clock seconds.
   struct Seconds {
-    double sampling = 0;      ///< locating points in the mesh
-    double solving_alone = 0; ///< charts one by one
-    double solving_jointly = 0;
-    double refining = 0;
-    double measuring = 0;     ///< evaluating the errors
-    double closest_point = 0; ///< closest point distances and normals
-    double total = 0;
+    double sampling = 0;        ///< locating points in the mesh
+    double solving_alone = 0;   ///< charts one by one
+    double solving_jointly = 0; ///< all charts together
+    double refining = 0;        ///< splitting cells
+    double measuring = 0;       ///< evaluating the errors
+    double closest_point = 0;   ///< closest point distances and normals
+    double total = 0;           ///< all of it
   };
 
   /// Memory in bytes, the largest at any time.
   struct Bytes {
-    std::size_t samples = 0;
+    std::size_t samples = 0;   ///< located points of the mesh
     std::size_t equations = 0; ///< the normal equations and their factor
   };
 
   /// Whether `rms_error` and `max_error` are within the tolerances; with `Marking::VERTICES` those of the
   /// vertices.
   bool tolerance_reached = false;
-  double rms_tolerance = 0;
-  double max_tolerance = 0;
-  double vertex_rms_error = 0;    ///< of the vertices alone
-  double vertex_max_error = 0;
-  std::size_t controls = 0;       ///< coefficients of all charts together, each is a point of space
-  std::size_t vertices = 0;       ///< of the mesh, for comparison
-  std::vector<Chart> charts;
-  std::vector<Level> levels;      ///< one per measurement
-  Seconds seconds;
-  Bytes bytes;
+  double rms_tolerance = 0;    ///< the tolerance of `rms_error`
+  double max_tolerance = 0;    ///< the tolerance of `max_error`
+  double vertex_rms_error = 0; ///< of the vertices alone
+  double vertex_max_error = 0; ///< of the vertices alone
+  std::size_t controls = 0;    ///< coefficients of all charts together, each is a point of space
+  std::size_t vertices = 0;    ///< of the mesh, for comparison
+  std::vector<Chart> charts;   ///< each chart
+  std::vector<Level> levels;   ///< one per measurement
+  Seconds seconds;             ///< what took how long
+  Bytes bytes;                 ///< what took how much
 
   /// Whether the surface has more controls than the mesh has vertices: it then reproduces the facets
   /// of the mesh, at a cost that the mesh does not have.

@@ -31,8 +31,11 @@ namespace Simple_manifolds {
 ///
 /// The coefficients of a quadratic form: `uu` du^2 + 2 `uv` du dv + `vv` dv^2.
 struct Fundamental_form {
-  double uu, uv, vv;
+  double uu, ///< of du^2
+    uv,      ///< half of that of du dv
+    vv;      ///< of dv^2
 
+  /// Its determinant.
   double determinant() const { return uu * vv - uv * uv; }
 };
 
@@ -142,9 +145,12 @@ inline std::pair<double, double> principal_curvatures(const Jet& e)
 /// two directions mean nothing, and at an umbilic, where k1 = k2, any such frame is an answer. Near an
 /// umbilic they are as uncertain as rounding makes them, or noise in the surface, but orthonormal.
 struct Principal_directions {
-  double k1, k2;                          ///< k1 >= k2, in 1/length
-  Eigen::Vector3d direction1, direction2; ///< tangent unit vectors
-  Eigen::Vector2d uv1, uv2;               ///< the same in coordinates: direction1 = uv1.x E_u + uv1.y E_v
+  double k1,                  ///< the larger principal curvature, in 1/length
+    k2;                       ///< the smaller one
+  Eigen::Vector3d direction1, ///< tangent unit vector of k1
+    direction2;               ///< tangent unit vector of k2
+  Eigen::Vector2d uv1,        ///< direction1 in coordinates: direction1 = uv1.x E_u + uv1.y E_v
+    uv2;                      ///< direction2 in coordinates
 };
 
 /// \ingroup PkgSimpleManifoldsEmbedding

@@ -51,10 +51,10 @@ namespace Simple_manifolds {
 template <class Atlas_, class ChartEmbedding = Hierarchical_embedding, class Bump_ = Smoothstep_bump<2>>
 class Manifold_surface {
 public:
-  using Atlas = Atlas_;
-  using Domain_point = typename Atlas::Domain_point;
-  using Chart_embedding = ChartEmbedding;
-  using Bump = Bump_;
+  using Atlas = Atlas_;                              ///< the canonical surface with its charts
+  using Domain_point = typename Atlas::Domain_point; ///< a point of the canonical surface
+  using Chart_embedding = ChartEmbedding;            ///< the embedding of a chart
+  using Bump = Bump_;                                ///< the bump function
 
   /// \param charts  one embedding per chart
   /// \pre `charts.size() == Atlas::number_of_charts`
@@ -64,7 +64,9 @@ public:
     CGAL_precondition(charts_.size() == std::size_t(Atlas::number_of_charts));
   }
 
+  /// The atlas of the domain.
   const Atlas& atlas() const { return partition_.atlas(); }
+  /// The bump function.
   const Bump& bump() const { return partition_.bump(); }
   /// E_c.
   const Chart_embedding& chart_embedding(int c) const { return charts_[c]; }

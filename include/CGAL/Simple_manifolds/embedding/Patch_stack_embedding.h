@@ -37,6 +37,7 @@ public:
       smoothness_ = (std::min)(smoothness_, patch.smoothness());
   }
 
+  /// The base patch, then the offset patches.
   const std::vector<Spline_patch>& patches() const { return patches_; }
   /// The number of active functions of all patches.
   std::size_t number_of_coefficients() const

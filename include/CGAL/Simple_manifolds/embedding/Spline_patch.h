@@ -64,9 +64,13 @@ public:
     }
   }
 
+  /// The rectangle that the knots divide.
   const Support& support() const { return support_; }
+  /// The degree in u and in v.
   int degree() const { return degree_; }
+  /// The controls in direction u.
   int nu() const { return nu_; }
+  /// The controls in direction v.
   int nv() const { return nv_; }
   /// The number of continuous derivatives, `degree() - 1`.
   int smoothness() const { return degree_ - 1; }

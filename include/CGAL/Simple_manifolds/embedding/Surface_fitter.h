@@ -67,9 +67,9 @@ struct Fit_options {
   double max_error = 2e-2;            ///< tolerance of the maximum, fraction of the diagonal
   int spline_degree = 3;              ///< 2 to 5
   std::size_t max_controls = 200000;  ///< limit of the controls of all charts together
-  Refinement refinement = Refinement::ADAPTIVE;
-  Joint_solve joint_solve = Joint_solve::AT_END;
-  Marking marking = Marking::ALL_POINTS;
+  Refinement refinement = Refinement::ADAPTIVE; ///< where controls are added
+  Joint_solve joint_solve = Joint_solve::AT_END; ///< when charts are fitted together
+  Marking marking = Marking::ALL_POINTS; ///< what is brought within the tolerance
   /// Weight of the thin plate energy, the integral of |E_c''|^2 over the charts; that of the mean squared
   /// error is 1. For noisy meshes; 0 is best for others.
   double fairness = 0;
@@ -103,8 +103,8 @@ struct Fit_options {
 template <class Map, class Bump = Smoothstep_bump<2>, class ConcurrencyTag = Sequential_tag>
 class Surface_fitter {
 public:
-  using Atlas = typename Map::Atlas;
-  using Surface = Manifold_surface<Atlas, Hierarchical_embedding, Bump>;
+  using Atlas = typename Map::Atlas; ///< the canonical surface with its charts
+  using Surface = Manifold_surface<Atlas, Hierarchical_embedding, Bump>; ///< what is fitted
 
   /// The map must outlive the fitter.
   /// \pre the tolerances, the fairness and the weights are not negative; the degree is in 2..5;

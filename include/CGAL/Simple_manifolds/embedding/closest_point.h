@@ -30,12 +30,12 @@ namespace Simple_manifolds {
 /// A point of a surface that is close to a point x of space.
 template <class Domain_point_>
 struct Closest_point {
-  using Domain_point = Domain_point_;
+  using Domain_point = Domain_point_; ///< a point of the canonical surface
 
-  Chart_point chart_point;
-  Domain_point domain_point;
-  Eigen::Vector3d point;  ///< its position
-  double distance;        ///< |x - point|
+  Chart_point chart_point;   ///< the closest point, in its best chart
+  Domain_point domain_point; ///< the same as a domain point
+  Eigen::Vector3d point;     ///< its position
+  double distance;           ///< |x - point|
   /// The distance, negative where x lies behind the tangent plane. On a closed surface without
   /// self-intersection, with outward normals, and for a globally closest point: negative inside.
   double signed_distance;
@@ -98,14 +98,16 @@ closest_point(const Surface& surface, const Eigen::Vector3d& x, const typename S
 template <class Surface_>
 class Closest_point_finder {
 public:
-  using Surface = Surface_;
-  using Domain_point = typename Surface::Domain_point;
-  using Result = Closest_point<Domain_point>;
+  using Surface = Surface_;                            ///< the surface
+  using Domain_point = typename Surface::Domain_point; ///< a point of the canonical surface
+  using Result = Closest_point<Domain_point>;          ///< what a query returns
 
   /// \param surface  a `Manifold_surface`, twice differentiable, which must outlive the finder
   explicit Closest_point_finder(const Surface& surface) : surface_(surface), tree_(surface) {}
 
+  /// The surface.
   const Surface& surface() const { return surface_; }
+  /// The cells that cover it.
   std::size_t number_of_cells() const { return tree_.number_of_cells(); }
 
   /// The point of the surface closest to `x`, any point of space. Where there are several, it is one of them.

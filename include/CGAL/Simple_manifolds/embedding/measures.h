@@ -34,7 +34,7 @@ namespace Simple_manifolds {
 ///
 /// An integral over a surface.
 struct Integral {
-  double value;
+  double value; ///< the integral
   /// An estimate of |value - true value|, on the safe side: the changes that the last refinement made, summed
   /// without signs over all cells, while `value` has that refinement in it.
   double error;

@@ -51,10 +51,10 @@ namespace Simple_manifolds {
 template <class Atlas_, int Channels_, class Bump_ = Smoothstep_bump<2>>
 class Chart_textures {
 public:
-  using Atlas = Atlas_;
-  using Domain_point = typename Atlas::Domain_point;
-  static constexpr int channels = Channels_;
-  using Value = Eigen::Matrix<double, channels, 1>;
+  using Atlas = Atlas_;                              ///< the canonical surface with its charts
+  using Domain_point = typename Atlas::Domain_point; ///< a point of the canonical surface
+  static constexpr int channels = Channels_;         ///< numbers per texel
+  using Value = Eigen::Matrix<double, channels, 1>;  ///< what a texel holds
 
   /// \param resolution  texels per side of an image
   /// \param value  a function from `Chart_point` to `Value`, or to a number where there is one channel;
@@ -77,6 +77,7 @@ public:
         }
   }
 
+  /// The atlas of the domain.
   const Atlas& atlas() const { return partition_.atlas(); }
   /// The texels per side of an image.
   int resolution() const { return resolution_; }

@@ -52,8 +52,8 @@ namespace Simple_manifolds {
 template <class Atlas_>
 class Domain_triangulation {
 public:
-  using Atlas = Atlas_;
-  using Domain_point = typename Atlas::Domain_point;
+  using Atlas = Atlas_;                              ///< the canonical surface with its charts
+  using Domain_point = typename Atlas::Domain_point; ///< a point of the canonical surface
 
   /// Faces of the start grid that were split so often are split no more: their edges have the length 1e-9,
   /// and rounding would begin to bend them.
@@ -81,8 +81,11 @@ public:
     conform();
   }
 
+  /// All vertices.
   int number_of_vertices() const { return int(domain_points_.size()); }
+  /// All faces.
   int number_of_faces() const { return int(triangles_.size()); }
+  /// The atlas of the domain.
   const Atlas& atlas() const { return atlas_; }
   /// Per vertex its point of the canonical surface. Vertices keep their place when faces are split.
   const std::vector<Domain_point>& domain_points() const { return domain_points_; }

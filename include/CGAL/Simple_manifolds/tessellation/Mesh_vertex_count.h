@@ -62,12 +62,13 @@ int side_of_step(const Atlas& atlas, const Eigen::Vector2d& p, const Eigen::Vect
 template <class Map>
 class Mesh_vertex_count {
 public:
-  using Triangulation = Domain_triangulation<typename Map::Atlas>;
+  using Triangulation = Domain_triangulation<typename Map::Atlas>; ///< what it measures faces of
 
   /// \param map  is referred to
   /// \pre `n >= 1`
   Mesh_vertex_count(const Map& map, int n) : map_(&map), n_(n) { CGAL_precondition(n >= 1); }
 
+  /// Sets `excess[i]` to the excess of face `faces[i]`, see `TessellationSizing`.
   void operator()(const Triangulation& t, const std::vector<int>& faces, std::vector<double>& excess) const
   {
     const std::vector<int> count = counts(t);

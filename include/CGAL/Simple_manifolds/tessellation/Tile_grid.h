@@ -35,8 +35,8 @@ namespace Simple_manifolds {
 template <class Atlas_>
 class Tile_grid {
 public:
-  using Atlas = Atlas_;
-  using Domain_point = typename Atlas::Domain_point;
+  using Atlas = Atlas_;                              ///< the canonical surface with its charts
+  using Domain_point = typename Atlas::Domain_point; ///< a point of the canonical surface
   /// The four vertices of a cell, counterclockwise seen from outside.
   using Cell = std::array<int, 4>;
 
@@ -64,6 +64,7 @@ public:
 
   /// The number of cells per side of a tile.
   int subdivisions() const { return n_; }
+  /// All vertices.
   int number_of_vertices() const { return int(domain_points_.size()); }
   /// Per vertex its point of the canonical surface.
   const std::vector<Domain_point>& domain_points() const { return domain_points_; }

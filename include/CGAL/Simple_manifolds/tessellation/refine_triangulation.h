@@ -28,8 +28,8 @@ struct Tessellation_report {
   bool is_fine_enough = false; ///< whether the criteria are met everywhere
   double worst = 0;            ///< the largest excess of a face: at most 1 if they are met
   int faces_left = 0;          ///< the number of faces with an excess above 1
-  int vertices = 0;
-  int faces = 0;
+  int vertices = 0;            ///< of the triangulation
+  int faces = 0;               ///< of the triangulation
   int levels = 0;              ///< how often a face of the start grid was split into four, at most
 };
 

@@ -56,7 +56,7 @@ namespace internal {
 template <class Surface>
 class Corner_points {
 public:
-  using Triangulation = Domain_triangulation<typename Surface::Atlas>;
+  using Triangulation = Domain_triangulation<typename Surface::Atlas>; ///< what it measures faces of
 
   Corner_points(const Surface& surface, const Triangulation& t, const std::vector<int>& faces)
     : triangulation_(t), place_(t.number_of_vertices(), -1)
@@ -99,7 +99,7 @@ private:
 template <class Surface>
 class Chord_error {
 public:
-  using Triangulation = Domain_triangulation<typename Surface::Atlas>;
+  using Triangulation = Domain_triangulation<typename Surface::Atlas>; ///< what it measures faces of
 
   /// \param surface    is referred to
   /// \param tolerance  as a fraction of the diagonal of the bounding box of the surface
@@ -114,6 +114,7 @@ public:
     CGAL_precondition(tolerance > 0 && unit > 0);
   }
 
+  /// Sets `excess[i]` to the excess of face `faces[i]`, see `TessellationSizing`.
   void operator()(const Triangulation& t, const std::vector<int>& faces, std::vector<double>& excess) const
   {
     static const std::array<Eigen::Vector3d, 7> places = {
@@ -157,7 +158,7 @@ private:
 template <class Surface>
 class Edge_length {
 public:
-  using Triangulation = Domain_triangulation<typename Surface::Atlas>;
+  using Triangulation = Domain_triangulation<typename Surface::Atlas>; ///< what it measures faces of
 
   /// \param surface  is referred to
   /// \param limit    as a fraction of the diagonal of the bounding box of the surface
@@ -171,6 +172,7 @@ public:
     CGAL_precondition(limit > 0 && unit > 0);
   }
 
+  /// Sets `excess[i]` to the excess of face `faces[i]`, see `TessellationSizing`.
   void operator()(const Triangulation& t, const std::vector<int>& faces, std::vector<double>& excess) const
   {
     const internal::Corner_points<Surface> corner(*surface_, t, faces);
@@ -214,8 +216,10 @@ std::vector<double> excess_of(const Sizing& sizing, const Domain_triangulation<A
 template <class... Sizings>
 class Combined_sizing {
 public:
+  /// The criteria are copied.
   explicit Combined_sizing(Sizings... sizings) : sizings_(std::move(sizings)...) {}
 
+  /// Sets `excess[i]` to the largest excess of face `faces[i]`.
   template <class Atlas>
   void operator()(const Domain_triangulation<Atlas>& t, const std::vector<int>& faces,
                   std::vector<double>& excess) const

@@ -42,10 +42,11 @@ namespace Simple_manifolds {
 template <class Map>
 class Chart_correspondence {
 public:
-  using Atlas = typename Map::Atlas;
-  using Domain_point = typename Atlas::Domain_point;
-  using Location = typename Map::Location;
+  using Atlas = typename Map::Atlas;                 ///< the canonical surface with its charts
+  using Domain_point = typename Atlas::Domain_point; ///< a point of the canonical surface
+  using Location = typename Map::Location;           ///< a face with barycentric coordinates
 
+  /// \param map  must outlive this
   explicit Chart_correspondence(const Map& map) : map_(map)
   {
     const int n = static_cast<int>(map.number_of_faces());
@@ -67,9 +68,11 @@ public:
       bins_.emplace_back(std::move(t));
   }
 
+  /// The map.
   const Map& map() const { return map_; }
   /// The faces all of whose vertices lie in a chart.
   const std::vector<int>& faces(int chart) const { return faces_[chart]; }
+  /// The chart that decides where a face goes, -1: none.
   int default_chart(int face) const { return default_chart_[face]; }
 
   /// M_c: the point of the mesh that belongs to a point of a chart; nothing where no face lies in the chart.

@@ -35,12 +35,14 @@ enum class Partition_step {
 /// parts of few vertices, mostly. The code is `Error_code::partition_failed`.
 class Partition_error : public Error {
 public:
+  /// \param why  part of the message
   Partition_error(Partition_step step, const std::string& why)
     : Error(Error_code::partition_failed, "the partition of the paper failed at its step '" + name(step)
             + "': " + why + "; the certified method does not need a partition"),
       step_(step)
   {}
 
+  /// The step that failed.
   Partition_step step() const { return step_; }
 
   /// E.g. "paths".

@@ -33,8 +33,8 @@ namespace Simple_manifolds {
 /// tiles have the same side in opposite directions.
 template <class FaceGraph>
 struct Tile_partition {
-  using vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
-  std::vector<std::array<Edge_path<FaceGraph>, 4>> sides;
+  using vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor; ///< of the mesh
+  std::vector<std::array<Edge_path<FaceGraph>, 4>> sides;                               ///< four per tile
 };
 
 /// \ingroup PkgSimpleManifoldsPaper
@@ -42,11 +42,13 @@ struct Tile_partition {
 /// Paths between numbered corners, as the partition algorithms find them.
 template <class FaceGraph>
 struct Path_network {
+  /// A path along edges.
   struct Path {
-    std::size_t from, to;
-    Edge_path<FaceGraph> edges;
+    std::size_t from,           ///< corner at its start
+      to;                       ///< corner at its end
+    Edge_path<FaceGraph> edges; ///< in order
   };
-  std::vector<Path> paths;
+  std::vector<Path> paths; ///< between the corners
 
   /// The path from one corner to another, or from that one backwards; empty if there is none.
   Edge_path<FaceGraph> path(const FaceGraph& mesh, std::size_t from, std::size_t to) const

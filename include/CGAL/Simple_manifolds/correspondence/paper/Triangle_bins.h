@@ -31,11 +31,11 @@ namespace Simple_manifolds {
 /// that contains a point looks at a few only (Grimm 2002, section 5.6.1).
 class Triangle_bins {
 public:
-  using Plane_triangle = std::array<Eigen::Vector2d, 3>;
+  using Plane_triangle = std::array<Eigen::Vector2d, 3>; ///< its three corners
   /// A triangle that contains a point, with the barycentric coordinates of the point.
   struct Hit {
-    int triangle = -1; ///< -1 if there is none
-    Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
+    int triangle = -1;                                     ///< -1 if there is none
+    Eigen::Vector3d barycentric = Eigen::Vector3d::Zero(); ///< in that triangle
   };
 
   /// \param triangles  parts outside of the unit square are not found
@@ -50,9 +50,11 @@ public:
       scan_convert(static_cast<int>(t));
   }
 
+  /// Bins in a row or column.
   int bins_per_side() const { return n_; }
   /// The triangles that reach into bin (i,j): column i, row j.
   const std::vector<int>& bin(int i, int j) const { return bins_[i + static_cast<std::size_t>(n_) * j]; }
+  /// All triangles.
   const std::vector<Plane_triangle>& triangles() const { return triangles_; }
 
   /// Of the triangles that contain a point, up to rounding, that which contains it best: with the largest of

@@ -39,10 +39,10 @@ namespace Simple_manifolds {
 template <class FaceGraph, class FaceRegionMap>
 class Growing_region {
 public:
-  using face_descriptor = typename boost::graph_traits<FaceGraph>::face_descriptor;
-  using halfedge_descriptor = typename boost::graph_traits<FaceGraph>::halfedge_descriptor;
-  static constexpr int free_face = -1;
-  static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+  using face_descriptor = typename boost::graph_traits<FaceGraph>::face_descriptor; ///< of the mesh
+  using halfedge_descriptor = typename boost::graph_traits<FaceGraph>::halfedge_descriptor; ///< of the mesh
+  static constexpr int free_face = -1; ///< the region of a face in no region
+  static constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max(); ///< no limit of the size
 
   /// A disk: the face `seed`.
   /// \param id  not negative; the value of the region's faces in `region`
@@ -66,7 +66,9 @@ public:
     }
   }
 
+  /// Its number in the map of regions.
   int id() const { return id_; }
+  /// The faces in it.
   std::size_t number_of_faces() const { return faces_.size(); }
   /// The faces in the order in which they were added.
   const std::vector<face_descriptor>& faces() const { return faces_; }

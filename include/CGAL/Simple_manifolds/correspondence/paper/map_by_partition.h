@@ -40,7 +40,7 @@ namespace Simple_manifolds {
 struct Partition_report {
   /// The mesh that was cut into tiles: the input, subdivided or simplified.
   std::vector<Eigen::Vector3d> points;
-  std::vector<Triangle> faces;
+  std::vector<Triangle> faces;      ///< of that mesh
   std::vector<int> tile;            ///< per face; -1 or a region where the partition failed
   int attempts = 0;                 ///< the last one has succeeded, or its error was thrown
   int subdivisions = 0;             ///< of the input, in the last attempt

@@ -44,10 +44,11 @@ enum class Projection_weights {
 /// \cgalModels{Parameterizer_3}
 template <class TriangleMesh_>
 struct Given_border_parameterizer_3 {
-  using Triangle_mesh = TriangleMesh_;
-  using TriangleMesh = TriangleMesh_;
-  using halfedge_descriptor = typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor;
+  using Triangle_mesh = TriangleMesh_; ///< what is parameterized
+  using TriangleMesh = TriangleMesh_; ///< the same
+  using halfedge_descriptor = typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor; ///< its own
 
+  /// Marks the vertices of the border as parameterized.
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   Surface_mesh_parameterization::Error_code
   parameterize(const Triangle_mesh& mesh, halfedge_descriptor border, VertexUVMap, VertexIndexMap,

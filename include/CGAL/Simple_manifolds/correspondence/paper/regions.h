@@ -105,14 +105,16 @@ std::vector<Edge_path<FaceGraph>> region_border_loops(const FaceGraph& mesh, con
 /// The shape of a region of faces.
 struct Region_topology {
   bool is_surface = false;       ///< no vertex joins two of its corners
-  std::size_t components = 0;
+  std::size_t components = 0;    ///< connected by edges
   long euler_characteristic = 0; ///< V - E + F
-  std::size_t border_loops = 0;
+  std::size_t border_loops = 0;  ///< closed border curves
 
+  /// Whether it is a disk.
   bool is_disk() const
   {
     return is_surface && components == 1 && euler_characteristic == 1 && border_loops == 1;
   }
+  /// Whether it is an annulus.
   bool is_annulus() const
   {
     return is_surface && components == 1 && euler_characteristic == 0 && border_loops == 2;

@@ -44,7 +44,7 @@ public:
     : base_(levels[0].cells), last_(base_ * (1 << finest) - 0.5),
       controls_per_leaf_(std::size_t(degree + 1) * std::size_t(degree + 1))
   {
-    with_degree(degree, [&](auto d) { Builder<decltype(d)::value, Level>(levels, *this).run(); });
+    Builder<Level>(degree, levels, *this).run();
   }
 
   std::size_t size() const { return controls_.size() / controls_per_leaf_; }
@@ -98,11 +98,17 @@ private:
   static constexpr int root_limit = 32; // entries per side of the first table, unless the base grid is finer
   static constexpr int table_depth = 5; // levels that a further table adds at most
 
-  template <int D, class Level>
+  // The degree is no template parameter here: nine copies of this would be a fifth of a program's code.
+  template <class Level>
   class Builder {
   public:
-    Builder(const std::vector<Level>& levels, Leaf_table& t)
-      : levels_(levels), t_(t), divided_(levels.size()) {}
+    Builder(int degree, const std::vector<Level>& levels, Leaf_table& t)
+      : degree_(degree), levels_(levels), t_(t), divided_(levels.size()), binomials_{1}
+    {
+      for(int n = 1; n <= degree + 1; ++n)
+        for(int k = n; k > 0; --k)
+          binomials_[std::size_t(k)] += binomials_[std::size_t(k) - 1];
+    }
 
     void run()
     {
@@ -116,14 +122,14 @@ private:
       const Table root = {t_.root_level_, 0, t_.root_cells_};
       for(int i = 0; i < base; ++i)
         for(int j = 0; j < base; ++j) {
-          Controls controls{};
+          Controls controls(t_.controls_per_leaf_);
           add_active(0, i, j, controls);
           visit(0, i, j, controls, root);
         }
     }
 
   private:
-    using Controls = std::array<Quad, (D + 1) * (D + 1)>;
+    using Controls = std::vector<Quad>; // (d+1) x (d+1)
 
     // entries for cells of one level, `side` x `side` of them, where cell (i,j) is modulo `side`
     struct Table {
@@ -137,12 +143,12 @@ private:
     {
       for(int k = int(levels_.size()) - 1; k > 0; --k) {
         const Level& level = levels_[k];
-        const int n = level.cells, side = n + D, parents = n / 2;
+        const int n = level.cells, side = n + degree_, parents = n / 2;
         std::vector<int>& cells = divided_[k - 1];
         for(int index : level.indices) {
-          const int i = index / side, j = index % side; // reaches the cells i-D, ..., i
-          for(int p = (std::max)(i - D, 0) / 2; p <= (std::min)(i, n - 1) / 2; ++p)
-            for(int q = (std::max)(j - D, 0) / 2; q <= (std::min)(j, n - 1) / 2; ++q)
+          const int i = index / side, j = index % side; // reaches the cells i-d, ..., i
+          for(int p = (std::max)(i - degree_, 0) / 2; p <= (std::min)(i, n - 1) / 2; ++p)
+            for(int q = (std::max)(j - degree_, 0) / 2; q <= (std::min)(j, n - 1) / 2; ++q)
               cells.push_back(p * parents + q);
         }
         for(int c : divided_[k])
@@ -218,40 +224,47 @@ private:
     void add_active(int k, int i, int j, Controls& controls) const
     {
       const Level& level = levels_[k];
-      const int side = level.cells + D;
-      for(int r = 0; r <= D; ++r) {
+      const int side = level.cells + degree_;
+      for(int r = 0; r <= degree_; ++r) {
         const int first = (i + r) * side + j;
         auto it = std::lower_bound(level.indices.begin(), level.indices.end(), first);
-        for(; it != level.indices.end() && *it <= first + D; ++it)
-          controls[r * (D + 1) + (*it - first)].add(
+        for(; it != level.indices.end() && *it <= first + degree_; ++it)
+          controls[r * (degree_ + 1) + (*it - first)].add(
             1, Quad(level.coefficients[it - level.indices.begin()]));
       }
     }
 
-    // The same function on a quarter of the cell, by the two-scale relation: function i+r of the coarse grid
-    // is a sum of the functions 2(i+r)-D+m of the fine one, and those of the quarter are 2i+ci, ..., 2i+ci+D.
-    static Controls child(const Controls& coarse, int ci, int cj)
+    // The coefficient of the fine function 2i+c+s in the coarse one i+r: the two-scale relation, by which
+    // function i+r is the sum of the functions 2(i+r)-d+m, m = 0, ..., d+1, of half the size.
+    double two_scale(int c, int r, int s) const
     {
-      constexpr std::array<int, D + 2> two_scale = Bspline_basis<D>::two_scale();
-      const auto f = [&](int c, int r, int s) {
-        const int m = c + s - 2 * r + D;
-        return m >= 0 && m <= D + 1 ? two_scale[m] / double(1 << D) : 0.;
-      };
-      Controls half{}, fine{};
-      for(int s = 0; s <= D; ++s)
-        for(int r = 0; r <= D; ++r)
-          for(int l = 0; l <= D; ++l)
-            half[s * (D + 1) + l].add(f(ci, r, s), coarse[r * (D + 1) + l]);
-      for(int k = 0; k <= D; ++k)
-        for(int s = 0; s <= D; ++s)
-          for(int l = 0; l <= D; ++l)
-            fine[k * (D + 1) + s].add(f(cj, l, s), half[k * (D + 1) + l]);
+      const int m = c + s - 2 * r + degree_;
+      return m >= 0 && m <= degree_ + 1 ? binomials_[std::size_t(m)] / double(1 << degree_) : 0.;
+    }
+
+    // The same function on a quarter of the cell, whose functions are 2i+ci, ..., 2i+ci+d along u.
+    Controls child(const Controls& coarse, int ci, int cj) const
+    {
+      const int n = degree_ + 1;
+      Controls half(coarse.size()), fine(coarse.size());
+      for(int s = 0; s < n; ++s)
+        for(int r = 0; r < n; ++r)
+          if(const double f = two_scale(ci, r, s); f != 0)
+            for(int l = 0; l < n; ++l)
+              half[s * n + l].add(f, coarse[r * n + l]);
+      for(int s = 0; s < n; ++s)
+        for(int l = 0; l < n; ++l)
+          if(const double f = two_scale(cj, l, s); f != 0)
+            for(int k = 0; k < n; ++k)
+              fine[k * n + s].add(f, half[k * n + l]);
       return fine;
     }
 
+    int degree_;
     const std::vector<Level>& levels_;
     Leaf_table& t_;
     std::vector<std::vector<int>> divided_;
+    std::array<double, maximum_spline_degree + 2> binomials_; // of degree + 1
   };
 
   double base_ = 0; // cells per side of the coarsest grid

@@ -25,7 +25,7 @@ struct Patch_fit_options {
   int patch_controls = 7;      ///< per side of every patch
   int max_patches = 16;        ///< of a chart, with the base patch
   int max_bins = 64;           ///< per side of a chart
-  Patch_solve patch_solve = Patch_solve::ALL;
+  Patch_solve patch_solve = Patch_solve::ALL; ///< what is solved for when a patch was added
 };
 
 } // namespace Simple_manifolds

@@ -40,9 +40,9 @@ enum class Patch_solve {
 ///
 /// A point that a stack of patches is fitted to.
 struct Pin_point {
-  Eigen::Vector2d uv;
-  Eigen::Vector3d target;
-  double weight; ///< of the square of the distance; not negative
+  Eigen::Vector2d uv;     ///< where in the chart
+  Eigen::Vector3d target; ///< where in space
+  double weight;          ///< of the square of the distance; not negative
 };
 
 /// \ingroup PkgSimpleManifoldsPaper
@@ -66,6 +66,7 @@ public:
     patches_.push_back(patch({0, 0, 1, 1}, std::vector<Eigen::Vector3d>(per_patch(), centre)));
   }
 
+  /// The patches, with the coefficients of the last `solve()`.
   const std::vector<Spline_patch>& patches() const { return patches_; }
 
   /// Adds an offset patch, which is zero until `solve()` is called.
@@ -74,6 +75,7 @@ public:
     patches_.push_back(patch(support, std::vector<Eigen::Vector3d>(per_patch(), Eigen::Vector3d::Zero())));
   }
 
+  /// Adds a point that the patches are to pass by.
   void add_pin_point(const Pin_point& p) { pins_.push_back(p); }
 
   /// The sum of all patches.

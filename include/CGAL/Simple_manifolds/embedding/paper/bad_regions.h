@@ -36,12 +36,15 @@ public:
     CGAL_precondition(bins_per_side >= 1);
   }
 
+  /// Bins in a row or column.
   int bins_per_side() const { return n_; }
 
   /// The largest error in bin (i,j), i along u; 0 if there was none.
   double error(int i, int j) const { return errors_[index(i, j)]; }
+  /// Of all bins.
   double largest_error() const { return *std::max_element(errors_.begin(), errors_.end()); }
 
+  /// The middle of a bin.
   Eigen::Vector2d centre(int i, int j) const { return {(i + 0.5) / n_, (j + 0.5) / n_}; }
 
   /// Takes notice of the error at a point; points outside of the square belong to the nearest bin.
@@ -63,7 +66,10 @@ private:
 ///
 /// The bins (i,j) with `i0 <= i < i1` and `j0 <= j < j1`.
 struct Bin_rectangle {
-  int i0, j0, i1, j1;
+  int i0, ///< first i
+    j0,   ///< first j
+    i1,   ///< behind the last i
+    j1;   ///< behind the last j
 
   friend bool operator==(const Bin_rectangle& a, const Bin_rectangle& b)
   {
