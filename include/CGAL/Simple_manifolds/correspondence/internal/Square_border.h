@@ -90,7 +90,7 @@ private:
       place[k] = std::find(border_.begin(), border_.end(), corners[k]) - border_.begin();
       CGAL_precondition_msg(place[k] < border_.size(), "a corner is no vertex of the border");
     }
-    std::size_t turns = 0;
+    [[maybe_unused]] std::size_t turns = 0;
     for (std::size_t k = 0; k < 4; ++k)
       turns += place[(k + 1) % 4] <= place[k];
     CGAL_precondition_msg(turns == 1, "the corners are not in counterclockwise order");
