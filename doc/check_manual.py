@@ -1,8 +1,7 @@
 """Usage: check_manual.py HTML_FOLDER NAMES.tag PackageDescription.txt parameters.h
 
 Every link in the manual leads somewhere, and the list of the reference names every public name: all classes,
-functions, constants and types of Doxygen's tag file in the namespace of the package, and all concepts and named
-parameters.
+functions, constants and types in the namespace of the package, all concepts and all named parameters.
 """
 import html
 import pathlib
@@ -43,7 +42,8 @@ def broken_links(folder):
 def main():
     folder, tags, listed, parameters = map(pathlib.Path, sys.argv[1:])
     words = set(re.findall(r"\w+", listed.read_text()))
-    faults = [f"{name} is not in {listed.name}" for name in sorted(public_names(tags, parameters.read_text()) - words)]
+    missing = public_names(tags, parameters.read_text()) - words
+    faults = [f"{name} is not in {listed.name}" for name in sorted(missing)]
     faults += [f"broken link in {link}" for link in sorted(broken_links(folder))]
     print("\n".join(faults), file=sys.stderr, end="\n" if faults else "")
     return 1 if faults else 0
