@@ -197,6 +197,10 @@ const std::vector<Case>& bad_meshes()
      "ply\nformat ascii 1.0\nelement vertex 1\n" + ply_vertices
      + "element face 1\nproperty list char int vertex_index\n"
        "end_header\n0 0 0\n-3 0 0 0\n", E::syntax_error, {"list of face 0"}},
+    {"PLY with two lists of vertices", "a.ply",
+     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nelement vertex 2\nproperty float y\n"
+     "end_header\n0\n0\n0\n",
+     E::syntax_error, {"line 5", "vertex", "twice"}},
     {"PLY without positions", "a.ply",
      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n",
      E::syntax_error, {"vertex property y"}},

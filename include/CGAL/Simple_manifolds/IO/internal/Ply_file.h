@@ -136,7 +136,10 @@ private:
                 : w[1] == "binary_big_endian" ? Format::big : Format::unknown;
       } else if (w[0] == "element" && w.size() == 3) {
         const long long count = Text_scanner(file_, w[2], false, n).integer(w[2], "the number of elements");
-        if (count < 0) fail("the number of " + Text_scanner::shown(w[1]) + " elements is " + std::to_string(count), n);
+        if (count < 0)
+          fail("the number of " + Text_scanner::shown(w[1]) + " elements is " + std::to_string(count), n);
+        for (const Element& e : elements_) // its columns would differ in length
+          if (e.name == w[1]) fail("the element " + Text_scanner::shown(w[1]) + " comes twice", n);
         elements_.push_back({std::string(w[1]), std::size_t(count), {}});
       } else if (w[0] == "property" && !elements_.empty() && w.size() == 5 && w[1] == "list") {
         elements_.back().properties.push_back({std::string(w[4]), type(w[2], n), type(w[3], n)});
