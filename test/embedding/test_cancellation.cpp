@@ -1,0 +1,252 @@
+// Whatever takes a visitor is cancelled at every single step: the visitor's exception comes out, what the
+// caller has handed in is as it was, and the next call works as if nothing had happened.
+
+#include "catch.h"
+
+#include "correspondence/random_surfaces.h"
+
+#include <CGAL/Simple_manifolds/correspondence/balance.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_plane.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_torus.h>
+#include <CGAL/Simple_manifolds/correspondence/paper/map_by_partition.h>
+#include <CGAL/Simple_manifolds/correspondence/refine.h>
+#include <CGAL/Simple_manifolds/embedding/fit_surface.h>
+#include <CGAL/Simple_manifolds/embedding/paper/fit_patch_surface.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace SM = CGAL::Simple_manifolds;
+namespace params = SM::parameters;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+
+namespace {
+
+struct Cancelled {}; // nothing that anybody else would catch
+
+/// Cancels at its `last`-th call of any member.
+struct Impatient_visitor : SM::Default_visitor {
+  explicit Impatient_visitor(int last = -1) : last(last) {}
+  void start_phase(const char*) { step(); }
+  void progress(double) { step(); }
+  void end_phase() { step(); }
+  void step()
+  {
+    if (steps++ == last) throw Cancelled();
+  }
+  int last, steps = 0;
+};
+
+/// A mesh with data of its own, and whether all of it is as it was.
+template <class Domain_point>
+struct Watched_mesh {
+  Mesh mesh, copy;
+  Mesh::Property_map<Mesh::Vertex_index, Domain_point> domain;
+  std::vector<std::string> names;
+
+  explicit Watched_mesh(const Triangle_mesh& t)
+  {
+    std::vector<Mesh::Vertex_index> v;
+    for (const auto& p : t.points) v.push_back(mesh.add_vertex(Point(p[0], p[1], p[2])));
+    for (const auto& f : t.triangles) mesh.add_face(v[f[0]], v[f[1]], v[f[2]]);
+    auto number = mesh.add_property_map<Mesh::Face_index, int>("f:number", -1).first;
+    for (const auto f : mesh.faces()) number[f] = int(f) * int(f);
+    domain = mesh.add_property_map<Mesh::Vertex_index, Domain_point>("v:domain").first;
+    for (const auto w : mesh.vertices()) domain[w] = Domain_point::Constant(double(w));
+    copy = mesh;
+    names = property_names();
+  }
+
+  std::vector<std::string> property_names() const
+  {
+    std::vector<std::string> all = mesh.properties<Mesh::Vertex_index>();
+    for (const auto& more : {mesh.properties<Mesh::Halfedge_index>(), mesh.properties<Mesh::Edge_index>(),
+                             mesh.properties<Mesh::Face_index>()})
+      all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  bool is_unchanged() const
+  {
+    bool same = mesh.number_of_vertices() == copy.number_of_vertices() && !mesh.has_garbage()
+             && mesh.number_of_faces() == copy.number_of_faces() && property_names() == names;
+    const auto number = mesh.property_map<Mesh::Face_index, int>("f:number").first;
+    for (const auto h : copy.halfedges())
+      same = same && mesh.next(h) == copy.next(h) && mesh.target(h) == copy.target(h)
+          && mesh.face(h) == copy.face(h);
+    for (const auto v : copy.vertices())
+      same = same && mesh.point(v) == copy.point(v) && mesh.halfedge(v) == copy.halfedge(v)
+          && domain[v] == Domain_point::Constant(double(v));
+    for (const auto f : copy.faces()) same = same && number[f] == int(f) * int(f);
+    return same;
+  }
+};
+
+template <class Atlas>
+bool same(const SM::Manifold_map<Atlas>& a, const SM::Manifold_map<Atlas>& b)
+{
+  return a.points() == b.points() && a.domain_points() == b.domain_points() && a.faces() == b.faces();
+}
+
+bool same(const SM::Any_map& a, const SM::Any_map& b)
+{
+  return a.index() == b.index() && std::visit([&b](const auto& map) {
+    return same(map, std::get<std::decay_t<decltype(map)>>(b));
+  }, a);
+}
+
+template <class Atlas, class Embedding, class Bump>
+bool same(const SM::Manifold_surface<Atlas, Embedding, Bump>& a,
+          const SM::Manifold_surface<Atlas, Embedding, Bump>& b)
+{
+  bool is_same = true;
+  for (int c = 0; c < Atlas::number_of_charts; ++c)
+    for (double x : {0.2, 0.45, 0.8})
+      is_same = is_same && a.chart_embedding(c).point({x, 0.6}) == b.chart_embedding(c).point({x, 0.6});
+  return is_same;
+}
+
+/// \param run           (visitor) -> result
+/// \param is_unchanged  () -> bool
+/// \return the number of steps
+template <class Run, class Is_unchanged>
+int cancel_at_every_step(const Run& run, const Is_unchanged& is_unchanged, int least_steps)
+{
+  REQUIRE(is_unchanged());
+  int not_cancelled = 0, changed = 0, last = 0;
+  for (;; ++last) {
+    Impatient_visitor visitor(last);
+    try {
+      run(visitor);
+      break;
+    } catch (const Cancelled&) {
+      changed += !is_unchanged();
+      not_cancelled += visitor.steps != last + 1; // it has gone on
+    }
+  }
+  CHECK(last >= least_steps);
+  CHECK(changed == 0);
+  CHECK(not_cancelled == 0);
+  return last;
+}
+
+/// The same for a mapper, (mesh, named parameters) -> map; it writes the domain points when it is let.
+template <class Domain_point, class Mapper>
+void cancel_mapper(const Triangle_mesh& t, const Mapper& mapper, int least_steps)
+{
+  Watched_mesh<Domain_point> watched(t);
+  Watched_mesh<Domain_point> other(t);
+  const auto result = mapper(other.mesh, params::domain_point_map(other.domain));
+  cancel_at_every_step([&](Impatient_visitor& visitor) {
+    const auto again
+      = mapper(watched.mesh, params::domain_point_map(watched.domain).visitor(std::ref(visitor)));
+    CHECK(same(result, again));
+  }, [&] { return watched.is_unchanged(); }, least_steps);
+  for (const auto v : other.mesh.vertices()) CHECK(watched.domain[v] == other.domain[v]);
+}
+
+/// The same for a function of a map: (map, named parameters) -> result.
+template <class Atlas, class Function>
+void cancel_function_of_map(const SM::Manifold_map<Atlas>& map, const Function& function, int least_steps)
+{
+  const SM::Manifold_map<Atlas> copy = map;
+  Impatient_visitor patient;
+  const auto result = function(map, CGAL::parameters::visitor(std::ref(patient)));
+  cancel_at_every_step([&](Impatient_visitor& visitor) {
+    const auto again = function(map, CGAL::parameters::visitor(std::ref(visitor)));
+    CHECK(same(result, again));
+  }, [&] { return same(map, copy); }, least_steps);
+}
+
+Triangle_mesh some_sphere() { Random random(4); return random_sphere(40, 100, 0, random); }
+Triangle_mesh some_torus() { return grid_torus(5, 6, 2); }
+Triangle_mesh some_disk() { return without_star(some_sphere(), 3); }
+
+Mesh mesh_of(const Triangle_mesh& t) { return Watched_mesh<Eigen::Vector2d>(t).mesh; }
+
+} // namespace
+
+TEST_CASE("mappers are cancelled at every step")
+{
+  cancel_mapper<Eigen::Vector3d>(some_sphere(), [](const auto& mesh, const auto& np) {
+    return SM::map_to_sphere(mesh, np);
+  }, 10);
+  cancel_mapper<Eigen::Vector2d>(some_torus(), [](const auto& mesh, const auto& np) {
+    return SM::map_to_torus(mesh, np);
+  }, 10);
+  cancel_mapper<Eigen::Vector2d>(some_disk(), [](const auto& mesh, const auto& np) {
+    return SM::map_to_plane(mesh, np);
+  }, 10);
+}
+
+TEST_CASE("maps to whichever surface and by partition are cancelled at every step")
+{
+  for (const Triangle_mesh& t : {some_sphere(), some_torus(), some_disk()}) {
+    Watched_mesh<Eigen::Vector2d> watched(t);
+    const auto is_unchanged = [&] { return watched.is_unchanged(); };
+    const SM::Any_map map = SM::map_to_canonical_surface(watched.mesh);
+    cancel_at_every_step([&](Impatient_visitor& visitor) {
+      const auto np = CGAL::parameters::visitor(std::ref(visitor));
+      const auto again = SM::map_to_canonical_surface(watched.mesh, np);
+      CHECK(same(map, again));
+    }, is_unchanged, 10);
+    const SM::Any_map partitioned = SM::map_by_partition(watched.mesh);
+    cancel_at_every_step([&](Impatient_visitor& visitor) {
+      const auto again = SM::map_by_partition(watched.mesh, CGAL::parameters::visitor(std::ref(visitor)));
+      CHECK(same(partitioned, again));
+    }, is_unchanged, 4);
+  }
+}
+
+TEST_CASE("functions of maps are cancelled at every step")
+{
+  const auto sphere = SM::map_to_sphere(mesh_of(some_sphere()));
+  const auto torus = SM::map_to_torus(mesh_of(some_torus()));
+  const auto disk = SM::map_to_plane(mesh_of(some_disk()));
+  const auto balance = [](const auto& map, const auto& np) { return SM::balance(map, np); };
+  const auto refine = [](const auto& map, const auto& np) { return SM::refine(map, np); };
+  cancel_function_of_map(sphere, balance, 3);
+  cancel_function_of_map(torus, balance, 3);
+  cancel_function_of_map(sphere, refine, 3);
+  cancel_function_of_map(torus, refine, 2); // there is nothing to refine
+  const auto fit = [](const auto& map, const auto& np) {
+    return SM::fit_surface(map, params::rms_error(0.05, np));
+  };
+  cancel_function_of_map(sphere, fit, 5);
+  cancel_function_of_map(torus, fit, 5);
+  cancel_function_of_map(disk, fit, 5);
+  const auto patches = [](const auto& map, const auto& np) {
+    return SM::fit_patch_surface(map, params::average_delta(0.05, params::max_patches(3, np)));
+  };
+  cancel_function_of_map(sphere, patches, 5);
+  cancel_function_of_map(torus, patches, 5);
+  cancel_function_of_map(disk, patches, 5);
+}
+
+TEST_CASE("a cancelled fit leaves the reports as they were")
+{
+  const auto map = SM::map_to_plane(mesh_of(some_disk()));
+  SM::Fit_report report;
+  report.controls = 12345;
+  cancel_at_every_step([&](Impatient_visitor& visitor) {
+    SM::fit_surface(map, params::rms_error(0.05).fit_report(std::ref(report)).visitor(std::ref(visitor)));
+  }, [&] { return report.controls == 12345; }, 5);
+  CHECK(report.controls < 12345);
+  SM::Patch_fit_report patches;
+  patches.surface.controls = 12345;
+  patches.charts.resize(17);
+  cancel_at_every_step([&](Impatient_visitor& visitor) {
+    SM::fit_patch_surface(map, params::average_delta(0.05).max_patches(2).patch_fit_report(std::ref(patches))
+                                 .visitor(std::ref(visitor)));
+  }, [&] { return patches.surface.controls == 12345 && patches.charts.size() == 17; }, 5);
+  CHECK(patches.charts.size() == 1);
+}
