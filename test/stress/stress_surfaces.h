@@ -173,6 +173,52 @@ inline Triangle_mesh spikes(int n, double length)
   return mesh;
 }
 
+/// The point at parameter t in [0,1) of a tube round the (p,q) torus knot; `y` and `z` lie in its section.
+inline Vector3d knot_point(double t, double y, double z, int p, int q)
+{
+  const auto centre = [=](double s) {
+    const double r = 2 + std::cos(2 * pi * q * s);
+    return Vector3d(r * std::cos(2 * pi * p * s), r * std::sin(2 * pi * p * s), std::sin(2 * pi * q * s));
+  };
+  const Vector3d tangent = (centre(t + 1e-4) - centre(t - 1e-4)).normalized();
+  const Vector3d side = tangent.cross(Vector3d::UnitZ()).normalized();
+  return centre(t) + 0.1 * (y * side + z * side.cross(tangent));
+}
+
+/// A closed tube, knotted.
+inline Triangle_mesh knotted_torus(int n, int m, int p, int q)
+{
+  Triangle_mesh mesh = grid_torus(n, m, 0);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < m; ++j)
+      mesh.points[static_cast<std::size_t>(i * m + j)]
+        = knot_point(static_cast<double>(i) / n, std::cos(2 * pi * j / m), std::sin(2 * pi * j / m), p, q);
+  return mesh;
+}
+
+/// A tube with two ends, or of a bottle, bent to a knot that is not quite closed.
+inline Triangle_mesh knotted(const Triangle_mesh& tube, int rings, int p, int q)
+{
+  return moved(tube, [=](const Vector3d& x) { return knot_point(0.98 * x.x() / rings, x.y(), x.z(), p, q); });
+}
+
+/// Joins two faces without common neighbourhood by a handle of `rings` three-sided rings.
+inline Triangle_mesh with_handle(Triangle_mesh mesh, std::size_t from, std::size_t to, int rings)
+{
+  extrude(mesh, from, rings, 0, 0.1);
+  const auto t = mesh.triangles[from], b = mesh.triangles[to];
+  for (int k = 0; k < 3; ++k) {
+    const int l = (k + 1) % 3, x = b[static_cast<std::size_t>((3 - k) % 3)],
+              y = b[static_cast<std::size_t>((3 - l) % 3)], v = t[static_cast<std::size_t>(k)],
+              w = t[static_cast<std::size_t>(l)];
+    mesh.triangles.push_back({v, w, y});
+    mesh.triangles.push_back({v, y, x});
+  }
+  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(std::max(from, to)));
+  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(std::min(from, to)));
+  return mesh;
+}
+
 /// A ring torus with n x m quadrilaterals, radii `R` and `r`, twisted `twist` times on the way round.
 inline Triangle_mesh ring_torus(int n, int m, double R, double r, int twist = 0)
 {
@@ -282,7 +328,17 @@ inline std::vector<Case> sphere_cases()
     {"coordinates of 1e-150", false, [=] { return scaled(octopus(20), tens(1e-150, 1e-150, 1e-150)); }},
     {"offset 1e8", false, [=] { return scaled(octopus(20), tens(1, 1, 1), tens(1e8, 1e8, 1e8)); }},
     {"hub of valence 5000", false, [] { return with_hub(octahedron(), 5000); }},
-    {"hub of valence 50000", true, [] { return with_hub(octahedron(), 50000); }},
+    {"hub of valence 100000", true, [] { return with_hub(octahedron(), 100000); }},
+    {"offset 1e8 of coordinates of 1e-150", false, [=] {
+      return scaled(octopus(20), tens(1e-150, 1e-150, 1e-150), tens(1e8, 1e8, 1e8));
+    }},
+    {"coordinates of 1e150 and 1e-150", false, [=] { return scaled(octopus(20), tens(1e150, 1, 1e-150)); }},
+    {"tube knotted to a trefoil", false, [] { return knotted(tube(600, 6), 600, 2, 3); }},
+    {"tube knotted (7,11), 20000 rings", true, [] { return knotted(tube(20000, 6), 20000, 7, 11); }},
+    {"20 flips per vertex", false, [] {
+      Random random(23);
+      return random_sphere(2000, 40000, 0, random);
+    }},
   };
 }
 
@@ -300,7 +356,28 @@ inline std::vector<Case> torus_cases()
     {"one Dehn twist", false, [] { return ring_torus(100, 20, 3, 1, 1); }},
     {"seven Dehn twists", false, [] { return ring_torus(300, 12, 3, 1, 7); }},
     {"hub of valence 3000", false, [] { return with_hub(grid_torus(20, 20, 0), 3000); }},
-    {"hub of valence 20000", true, [] { return with_hub(grid_torus(20, 20, 0), 20000); }},
+    {"hub of valence 100000", true, [] { return with_hub(grid_torus(20, 20, 0), 100000); }},
+    {"trefoil", false, [] { return knotted_torus(300, 8, 2, 3); }},
+    {"knot (7,11)", false, [] { return knotted_torus(1500, 8, 7, 11); }},
+    {"knot (7,11), 300000 faces", true, [] { return knotted_torus(15000, 10, 7, 11); }},
+    {"sphere with a thin handle", false, [] { return with_handle(spikes(30, 1), 0, 900, 300); }},
+    {"sphere with a handle of 10000 rings", true, [] { return with_handle(spikes(30, 1), 0, 900, 10000); }},
+    {"stacked, then a handle", false, [] { return with_handle(stacked(1500, Order::RANDOM), 0, 2000, 3); }},
+    {"20 flips per vertex", false, [] {
+      Random random(29);
+      return random_torus(40, 40, 32000, 0, random);
+    }},
+    {"coordinates of 1e150", false, [] {
+      return scaled(ring_torus(40, 20, 3, 1), Vector3d::Constant(1e150));
+    }},
+    {"coordinates of 1e-150", false, [] {
+      return scaled(ring_torus(40, 20, 3, 1), Vector3d::Constant(1e-150));
+    }},
+    {"offset 1e8", false, [] {
+      return scaled(ring_torus(40, 20, 3, 1), Vector3d::Ones(), Vector3d::Constant(1e8));
+    }},
+    {"all collinear", false, [] { return scaled(ring_torus(40, 20, 3, 1), Vector3d::UnitX()); }},
+    {"vertices on a 3 x 3 x 3 grid", false, [] { return with_random_points(grid_torus(25, 25, 3), 2); }},
     {"with a tail", false, [] {
       Triangle_mesh mesh = grid_torus(30, 30, 0);
       extrude(mesh, 0, 300, 0.2, 0.99);
@@ -319,7 +396,20 @@ inline std::vector<Case> disk_cases()
     {"one triangle", false, [] { return polygon_fan(3); }},
     {"two triangles", false, [] { return grid_disk(1, 1); }},
     {"fan of valence 5000", false, [] { return fan_disk(5000); }},
-    {"fan of valence 50000", true, [] { return fan_disk(50000); }},
+    {"three triangles", false, [] { return polygon_fan(5); }},
+    {"three triangles round a vertex", false, [] { return fan_disk(3); }},
+    {"fan of valence 100000", true, [] { return fan_disk(100000); }},
+    {"bottle knotted to a trefoil", false, [] { return knotted(bottle(600, 6), 600, 2, 3); }},
+    {"rectangle of aspect 1e8", false, [] { return scaled(grid_disk(30, 30), Vector3d(1e8, 1, 1)); }},
+    {"20 flips per vertex", false, [=] {
+      Random random(31);
+      return minus_star(random_sphere(1500, 30000, 0, random), 5);
+    }},
+    {"coordinates of 1e150", false, [] { return scaled(bottle(30, 8), Vector3d::Constant(1e150)); }},
+    {"coordinates of 1e-150", false, [] { return scaled(bottle(30, 8), Vector3d::Constant(1e-150)); }},
+    {"offset 1e8", false, [] { return scaled(bottle(30, 8), Vector3d::Ones(), Vector3d::Constant(1e8)); }},
+    {"all collinear", false, [] { return scaled(bottle(30, 8), Vector3d::UnitX()); }},
+    {"vertices on a 3 x 3 x 3 grid", false, [=] { return with_random_points(bottle(40, 12), 2); }},
     {"polygon fan without interior vertices", false, [] { return polygon_fan(1000); }},
     {"polygon zigzag", false, [] { return polygon_zigzag(1000); }},
     {"strip 2000 x 1", false, [] { return grid_disk(2000, 1); }},

@@ -3,6 +3,7 @@
 
 #include "../catch.h"
 
+#include "irreducible_tori.h"
 #include "stress_map.h"
 #include "stress_surfaces.h"
 
@@ -10,6 +11,7 @@
 #include <ctime>
 #include <iomanip>
 #include <iostream>
+#include <map>
 
 namespace {
 
@@ -38,6 +40,30 @@ void check_all(const std::vector<stress::Case>& cases, bool are_big)
 TEST_CASE("hard spheres are mapped", "[stress]") { check_all(stress::sphere_cases(), false); }
 TEST_CASE("hard tori are mapped", "[stress]") { check_all(stress::torus_cases(), false); }
 TEST_CASE("hard disks are mapped", "[stress]") { check_all(stress::disk_cases(), false); }
+
+TEST_CASE("irreducible tori are mapped", "[stress]")
+{
+  std::map<std::size_t, int> count; // by the number of vertices
+  for (const auto& faces : stress::irreducible_tori(400)) {
+    Triangle_mesh mesh;
+    mesh.triangles = faces;
+    ++count[faces.size() / 2];
+    Random random(7);
+    set_random_points(mesh, static_cast<int>(faces.size() / 2), 0, random);
+    CHECK_NOTHROW(stress::map_and_check(mesh));
+  }
+  CHECK(count[7] == 1);
+  CHECK(count[8] == 4);
+  CHECK(count[9] >= 13);
+  CHECK(count[9] <= 15);
+  CHECK(count[10] <= 1);
+  CHECK(count.size() <= 4);
+}
+
+TEST_CASE("all 21 irreducible tori are found", "[.full]")
+{
+  CHECK(stress::irreducible_tori(20000).size() == 21);
+}
 
 TEST_CASE("hard and big spheres are mapped", "[.full]") { check_all(stress::sphere_cases(), true); }
 TEST_CASE("hard and big tori are mapped", "[.full]") { check_all(stress::torus_cases(), true); }
