@@ -74,13 +74,16 @@ inline void split_long_edges(std::vector<Lifted_face>& faces, std::vector<Eigen:
   }
 }
 
-// The half-edge from v to w.
+// The half-edge from v to w. The search round both ends takes as long as round the one of less valence: for
+// all edges together this is linear, also at hubs.
 inline int half_edge_between(const Corner_table& t, int v, int w)
 {
-  int h = t.outgoing(v);
-  while (t.target(h) != w)
-    h = t.rotate(h);
-  return h;
+  int from_v = t.outgoing(v), from_w = t.outgoing(w);
+  while (t.target(from_v) != w && t.target(from_w) != v) {
+    from_v = t.rotate(from_v);
+    from_w = t.rotate(from_w);
+  }
+  return t.target(from_v) == w ? from_v : t.opposite(from_w);
 }
 
 template <class ConcurrencyTag, class NamedParameters>
