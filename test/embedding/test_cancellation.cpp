@@ -51,6 +51,7 @@ template <class Domain_point>
 struct Watched_mesh {
   Mesh mesh, copy;
   Mesh::Property_map<Mesh::Vertex_index, Domain_point> domain;
+  Mesh::Property_map<Mesh::Face_index, int> number;
   std::vector<std::string> names;
 
   explicit Watched_mesh(const Triangle_mesh& t)
@@ -58,7 +59,7 @@ struct Watched_mesh {
     std::vector<Mesh::Vertex_index> v;
     for (const auto& p : t.points) v.push_back(mesh.add_vertex(Point(p[0], p[1], p[2])));
     for (const auto& f : t.triangles) mesh.add_face(v[f[0]], v[f[1]], v[f[2]]);
-    auto number = mesh.add_property_map<Mesh::Face_index, int>("f:number", -1).first;
+    number = mesh.add_property_map<Mesh::Face_index, int>("f:number", -1).first;
     for (const auto f : mesh.faces()) number[f] = int(f) * int(f);
     domain = mesh.add_property_map<Mesh::Vertex_index, Domain_point>("v:domain").first;
     for (const auto w : mesh.vertices()) domain[w] = Domain_point::Constant(double(w));
@@ -79,7 +80,6 @@ struct Watched_mesh {
   {
     bool same = mesh.number_of_vertices() == copy.number_of_vertices() && !mesh.has_garbage()
              && mesh.number_of_faces() == copy.number_of_faces() && property_names() == names;
-    const auto number = mesh.property_map<Mesh::Face_index, int>("f:number").first;
     for (const auto h : copy.halfedges())
       same = same && mesh.next(h) == copy.next(h) && mesh.target(h) == copy.target(h)
           && mesh.face(h) == copy.face(h);
