@@ -30,7 +30,8 @@ Manifold_map<Plane_atlas> map_to_plane(const Mesh_arrays& a,
   const int n = static_cast<int>(disk.points().size());
   std::vector<Eigen::Vector3d> closed_points = disk.points();
   closed_points.push_back(closed_points[0]); // the apex: its position is never used
-  Embedding_problem<Eigen::Vector2d> problem{closed_points, disk.closed_triangles(), n, a.vertex_weight, landmarks};
+  const std::vector<Triangle> closed_triangles = disk.closed_triangles();
+  Embedding_problem<Eigen::Vector2d> problem{closed_points, closed_triangles, n, a.vertex_weight, landmarks};
   if (!problem.vertex_weight.empty())
     problem.vertex_weight.resize(n + 1, 1.);
   return certified_map<Plane_atlas, ConcurrencyTag>(

@@ -42,6 +42,9 @@ public:
     offset_[0] = 0;
     for (int v = 0; v < n; ++v)
       offset_[v + 1] = offset_[v] + t.degree(v);
+    // All room at once: to grow by and by would take twice as much.
+    neighbour_.reserve(t.number_of_half_edges());
+    sector_.reserve(t.number_of_half_edges());
     neighbour_.resize(offset_[n]);
     sector_.resize(offset_[n]);
     parallel_for<ConcurrencyTag>(0, n, [&](int begin, int end) {

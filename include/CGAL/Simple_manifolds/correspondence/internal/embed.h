@@ -68,7 +68,7 @@ inline std::vector<Eigen::Vector3d> normalized_points(const std::vector<Eigen::V
 template <class Point>
 struct Embedding_problem {
   const std::vector<Eigen::Vector3d>& points;
-  std::vector<Triangle> triangles;
+  const std::vector<Triangle>& triangles;
   int apex = -1; // a virtual vertex, whose faces close the border of a disk
   std::vector<double> vertex_weight = {}; // relative area in the domain; empty: all 1
   std::vector<Indexed_landmark<Point>> landmarks = {};
