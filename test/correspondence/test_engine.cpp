@@ -290,9 +290,14 @@ TEST_CASE("When a result is rejected, the map is begun anew with better conditio
     std::vector<Vector3d> result;
     const bool embedded = embed<CGAL::Sequential_tag>(
       problem, Map_options(), [](const std::vector<int>&) { return Spherical_geometry(60); },
-      [&](const Collapse_hierarchy&, const Spherical_geometry& g, const auto& number) {
+      [](const Collapse_hierarchy&, const Spherical_geometry& g, const auto& number) {
+        std::vector<Vector3d> positions;
         for (int v = 0; v < 60; ++v)
-          result.push_back(g.position(number(v)));
+          positions.push_back(g.position(number(v)));
+        return positions;
+      },
+      [&](std::vector<Vector3d>&& positions) {
+        result = std::move(positions);
         return true;
       },
       visitor);

@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_torus.h>
 
+#include <utility>
 #include <variant>
 
 /// \file
@@ -38,9 +39,9 @@ template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
 Any_map map_to_canonical_surface(const FaceListGraph& mesh,
                                  const NamedParameters& np = parameters::default_values())
 {
-  const internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
+  internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
   if (!arrays.topology.is_closed())
-    return internal::map_to_plane<ConcurrencyTag>(arrays, {}, {}, np);
+    return internal::map_to_plane<ConcurrencyTag>(std::move(arrays), {}, {}, np);
   if (arrays.topology.genus == 0)
     return internal::map_to_sphere<ConcurrencyTag>(arrays, {}, np);
   if (arrays.topology.is_connected() && arrays.topology.genus > 1)

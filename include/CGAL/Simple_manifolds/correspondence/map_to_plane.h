@@ -21,17 +21,16 @@ namespace internal {
 
 // corners: four vertices of the border in counterclockwise order, or none.
 template <class ConcurrencyTag, class NamedParameters>
-Manifold_map<Plane_atlas> map_to_plane(const Mesh_arrays& a,
+Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
                                        const std::vector<Indexed_landmark<Eigen::Vector2d>>& landmarks,
                                        const std::vector<int>& corners, const NamedParameters& np)
 {
   require_disk(a.topology);
-  const Square_border disk(a.points, a.triangles, corners);
-  const int n = static_cast<int>(disk.points().size());
-  std::vector<Eigen::Vector3d> closed_points = disk.points();
-  closed_points.push_back(closed_points[0]); // the apex: its position is never used
-  const std::vector<Triangle> closed_triangles = disk.closed_triangles();
-  Embedding_problem<Eigen::Vector2d> problem{closed_points, closed_triangles, n, a.vertex_weight, landmarks};
+  Square_border disk(std::move(a.points), std::move(a.triangles), corners);
+  const std::vector<unsigned char> disk_sides = disk.sides();
+  const int n = static_cast<int>(disk.points().size()), m = static_cast<int>(disk.triangles().size());
+  const auto [points, triangles] = std::move(disk).closed();
+  Embedding_problem<Eigen::Vector2d> problem{points, triangles, n, std::move(a.vertex_weight), landmarks};
   if (!problem.vertex_weight.empty())
     problem.vertex_weight.resize(n + 1, 1.);
   return certified_map<Plane_atlas, ConcurrencyTag>(
@@ -43,7 +42,7 @@ Manifold_map<Plane_atlas> map_to_plane(const Mesh_arrays& a,
         if (order[i] == n)
           apex = static_cast<int>(i);
         else
-          sides[i] = disk.sides()[order[i]];
+          sides[i] = disk_sides[order[i]];
       }
       return Square_geometry(std::move(sides), apex);
     },
@@ -51,8 +50,11 @@ Manifold_map<Plane_atlas> map_to_plane(const Mesh_arrays& a,
       std::vector<Eigen::Vector2d> domain_points(n);
       for (int v = 0; v < n; ++v)
         domain_points[v] = geometry.position(number(v));
-      return Manifold_map<Plane_atlas>(disk.points(), disk.triangles(), std::move(domain_points),
-                                       a.number_of_input_vertices, a.number_of_virtual_faces);
+      return domain_points;
+    },
+    [&, &points = points, &triangles = triangles](std::vector<Eigen::Vector2d>&& domain_points) {
+      return Manifold_map<Plane_atlas>({points.begin(), points.begin() + n}, {triangles.begin(), triangles.begin() + m},
+                                       std::move(domain_points), a.number_of_input_vertices, a.number_of_virtual_faces);
     });
 }
 
@@ -77,14 +79,16 @@ template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
 Manifold_map<Plane_atlas> map_to_plane(const FaceListGraph& mesh,
                                        const NamedParameters& np = parameters::default_values())
 {
-  const internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
+  internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
   std::vector<int> corners;
   if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::corners_t>::value)
     corners = internal::indices_of(mesh, arrays,
                                    CGAL::parameters::get_parameter_reference(np, internal_np::corners));
-  Manifold_map<Plane_atlas> map = internal::map_to_plane<ConcurrencyTag>(
-    arrays, internal::landmarks_of<Eigen::Vector2d>(mesh, arrays, np), corners, np);
-  internal::write_domain_points(mesh, arrays.index, map, np);
+  const auto landmarks = internal::landmarks_of<Eigen::Vector2d>(mesh, arrays, np);
+  const std::vector<int> index = std::move(arrays.index);
+  Manifold_map<Plane_atlas> map
+    = internal::map_to_plane<ConcurrencyTag>(std::move(arrays), landmarks, corners, np);
+  internal::write_domain_points(mesh, index, map, np);
   return map;
 }
 

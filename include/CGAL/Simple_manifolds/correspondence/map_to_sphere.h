@@ -32,6 +32,9 @@ Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
       std::vector<Eigen::Vector3d> domain_points(n);
       for (int v = 0; v < n; ++v)
         domain_points[v] = geometry.position(number(v));
+      return domain_points;
+    },
+    [&](std::vector<Eigen::Vector3d>&& domain_points) {
       return Manifold_map<Sphere_atlas>(a.points, a.triangles, std::move(domain_points),
                                         a.number_of_input_vertices, a.number_of_virtual_faces);
     });

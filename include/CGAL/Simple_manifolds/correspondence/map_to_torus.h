@@ -26,6 +26,12 @@ struct Lifted_corner {
 };
 using Lifted_face = std::array<Lifted_corner, 3>;
 
+// Where the vertices lie; and the faces, where the nearest lifts of their corners are not all theirs.
+struct Torus_placement {
+  std::vector<Eigen::Vector2d> domain_points;
+  std::vector<Lifted_face> lifted_faces;
+};
+
 // Splits edges at their middles until the nearest lift of an edge is the edge: until all coordinate
 // differences are below 1/2. Only meshes of a few dozen vertices have longer ones.
 // The virtual faces are the last ones, before and after.
@@ -103,21 +109,24 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a,
       for (int h = 0; h < 3 * m && !has_long_edge; ++h)
         has_long_edge = !((geometry.lifted_target(table, h) - geometry.position(table.origin(h)))
                             .cwiseAbs().maxCoeff() < 0.5);
-      std::vector<Eigen::Vector2d> domain_points(n);
+      Torus_placement placed{std::vector<Eigen::Vector2d>(n), {}};
       for (int v = 0; v < n; ++v)
-        domain_points[v] = geometry.position(number(v));
-      if (!has_long_edge)
+        placed.domain_points[v] = geometry.position(number(v));
+      if (has_long_edge)
+        for (const Triangle& t : a.triangles) {
+          const int h = half_edge_between(table, number(t[0]), number(t[1]));
+          placed.lifted_faces.push_back(
+            {Lifted_corner{t[0], geometry.position(number(t[0]))},
+             Lifted_corner{t[1], geometry.lifted_target(table, h)},
+             Lifted_corner{t[2], geometry.lifted_target(table, table.rotate(h))}});
+        }
+      return placed;
+    },
+    [&](Torus_placement&& placed) {
+      auto& [domain_points, faces] = placed;
+      if (faces.empty())
         return Manifold_map<Torus_atlas>(a.points, a.triangles, std::move(domain_points),
                                          a.number_of_input_vertices, a.number_of_virtual_faces);
-
-      std::vector<Lifted_face> faces;
-      for (const Triangle& t : a.triangles) {
-        const int h = half_edge_between(table, number(t[0]), number(t[1]));
-        faces.push_back(
-          {Lifted_corner{t[0], geometry.position(number(t[0]))},
-           Lifted_corner{t[1], geometry.lifted_target(table, h)},
-           Lifted_corner{t[2], geometry.lifted_target(table, table.rotate(h))}});
-      }
       std::vector<Eigen::Vector3d> points = a.points;
       std::size_t number_of_virtual_faces = a.number_of_virtual_faces;
       split_long_edges(faces, points, domain_points, number_of_virtual_faces);

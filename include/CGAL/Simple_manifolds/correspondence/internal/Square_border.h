@@ -53,14 +53,14 @@ public:
   // Per vertex a set of sides, see Square_geometry.
   const std::vector<unsigned char>& sides() const { return sides_; }
 
-  // The triangles and a cone over the border with the apex points().size().
-  std::vector<Triangle> closed_triangles() const
+  // The points and an apex, whose position means nothing; the triangles and a cone from the apex over the border.
+  std::pair<std::vector<Eigen::Vector3d>, std::vector<Triangle>> closed() &&
   {
-    std::vector<Triangle> closed = triangles_;
     const int apex = static_cast<int>(points_.size());
+    points_.push_back(Eigen::Vector3d(points_[0]));
     for (std::size_t i = 0; i < border_.size(); ++i)
-      closed.push_back({border_[(i + 1) % border_.size()], border_[i], apex});
-    return closed;
+      triangles_.push_back({border_[(i + 1) % border_.size()], border_[i], apex});
+    return {std::move(points_), std::move(triangles_)};
   }
 
 private:

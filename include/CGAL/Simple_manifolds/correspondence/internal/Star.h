@@ -38,11 +38,12 @@ public:
   {
     const int n = mesh.number_of_active_vertices();
     const Corner_table& t = mesh.table();
+    // All room at once: to grow by and by would take twice as much.
+    offset_.reserve(mesh.number_of_vertices() + 1);
     offset_.resize(n + 1);
     offset_[0] = 0;
     for (int v = 0; v < n; ++v)
       offset_[v + 1] = offset_[v] + t.degree(v);
-    // All room at once: to grow by and by would take twice as much.
     neighbour_.reserve(t.number_of_half_edges());
     sector_.reserve(t.number_of_half_edges());
     neighbour_.resize(offset_[n]);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -130,14 +131,15 @@ Collapse_hierarchy sorted_hierarchy(const Embedding_problem<Point>& problem, con
 }
 
 // Embeds a surface in the domain of `Geometry` with `make_geometry(order)` as its initial state, where
-// order[i] is the vertex of the input that comes i-th. finish(mesh, geometry, number) reads the result off;
-// number(v) is the number that the hierarchy gives to vertex v of the input.
+// order[i] is the vertex of the input that comes i-th. read(mesh, geometry, number) reads the result off, where
+// number(v) is the number that the hierarchy gives to vertex v of the input; accept(result) may refuse it. All
+// tables are gone by then.
 //
 // The shape of the faces only guides the energy, so when doubles do not suffice the map is begun anew with
 // better conditioned targets, down to the purely combinatorial problem. Returns false if that fails too.
-template <class ConcurrencyTag, class Make_geometry, class Finish, class Visitor, class Point>
+template <class ConcurrencyTag, class Make_geometry, class Read, class Accept, class Visitor, class Point>
 bool embed(const Embedding_problem<Point>& problem, Map_options options, const Make_geometry& make_geometry,
-           const Finish& finish, Visitor& visitor)
+           const Read& read, const Accept& accept, Visitor& visitor)
 {
   using Geometry = std::decay_t<decltype(make_geometry(std::vector<int>()))>;
   const int n = static_cast<int>(problem.points.size());
@@ -151,7 +153,7 @@ bool embed(const Embedding_problem<Point>& problem, Map_options options, const M
     reluctance[rank[l.vertex]] = 1e6f;
 
   double shape_floor = 1e-4;
-  for (int attempt = 0; attempt < number_of_attempts; ++attempt) {
+  const auto embedded = [&](int attempt) {
     Geometry geometry = make_geometry(order);
     Collapse_hierarchy mesh = sorted_hierarchy(problem, order, rank, options.area_floor, Geometry::total_area);
     visitor.start_phase("decimate");
@@ -166,13 +168,18 @@ bool embed(const Embedding_problem<Point>& problem, Map_options options, const M
     for (auto& l : landmarks)
       l.vertex = mesh.number_of(rank[l.vertex]);
     visitor.start_phase("embed");
-    // A temporary: its tables are gone before the result is built.
-    const bool embedded
-      = Coarse_to_fine_embedding<Geometry, ConcurrencyTag>(mesh, geometry, options, shape_floor, landmarks)
-          .run([&](double fraction) { visitor.progress(fraction); });
+    const auto number = [&](int v) { return mesh.number_of(rank[v]); };
+    std::optional<std::decay_t<decltype(read(mesh, geometry, number))>> result;
+    if (Coarse_to_fine_embedding<Geometry, ConcurrencyTag>(mesh, geometry, options, shape_floor, landmarks)
+          .run([&](double fraction) { visitor.progress(fraction); })
+        && attempt >= problem.rejected_attempts)
+      result = read(mesh, geometry, number);
     visitor.end_phase();
-    if (embedded && attempt >= problem.rejected_attempts
-        && finish(mesh, geometry, [&](int v) { return mesh.number_of(rank[v]); }))
+    return result;
+  };
+  for (int attempt = 0; attempt < number_of_attempts; ++attempt) {
+    auto result = embedded(attempt);
+    if (result && accept(std::move(*result)))
       return true;
     options.area_floor = attempt == 0 ? std::min(1., 10 * options.area_floor) : 1;
     shape_floor = attempt == 0 ? 1 : 100;

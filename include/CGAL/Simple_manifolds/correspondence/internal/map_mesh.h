@@ -85,11 +85,13 @@ std::vector<Indexed_landmark<Point>> landmarks_of(const FaceListGraph& mesh, con
   return result;
 }
 
-// Embeds the surface and certifies the result. collect(mesh, geometry, number) returns the map; as no
-// uncertified map can be built, it throws when the embedding is wrong.
-template <class Atlas, class ConcurrencyTag, class Point, class NamedParameters, class Make_geometry, class Collect>
+// Embeds the surface and certifies the result. read(mesh, geometry, number) takes what make_map() needs from the
+// embedding. As no uncertified map can be built, make_map() throws when the embedding is wrong.
+template <class Atlas, class ConcurrencyTag, class Point, class NamedParameters, class Make_geometry, class Read,
+          class Make_map>
 Manifold_map<Atlas> certified_map(const Embedding_problem<Point>& problem, const NamedParameters& np,
-                                  const Make_geometry& make_geometry, const Collect& collect)
+                                  const Make_geometry& make_geometry, const Read& read,
+                                  const Make_map& make_map)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter_reference;
@@ -98,11 +100,11 @@ Manifold_map<Atlas> certified_map(const Embedding_problem<Point>& problem, const
 
   std::optional<Manifold_map<Atlas>> result;
   const bool done = embed<ConcurrencyTag>(
-    problem, map_options(np), make_geometry,
-    [&](const Collapse_hierarchy& mesh, auto& geometry, const auto& number) {
+    problem, map_options(np), make_geometry, read,
+    [&](auto&& placed) {
       visitor.start_phase("certify");
       try {
-        result.emplace(collect(mesh, geometry, number));
+        result.emplace(make_map(std::move(placed)));
       } catch (const Numeric_error&) {
         // Begin anew with a better conditioned energy, if there is one left.
       }

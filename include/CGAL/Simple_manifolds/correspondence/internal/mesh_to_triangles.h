@@ -130,6 +130,7 @@ template <class FaceListGraph, class VertexPointMap>
 std::vector<Eigen::Vector3d> points_of_mesh(const FaceListGraph& mesh, const VertexPointMap& vertex_point)
 {
   std::vector<Eigen::Vector3d> points;
+  points.reserve(num_vertices(mesh));
   for (auto v : vertices(mesh)) {
     const auto& p = get(vertex_point, v);
     points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
@@ -148,6 +149,8 @@ Mesh_arrays mesh_to_triangles(const FaceListGraph& mesh, const VertexPointMap& v
   arrays.topology = topology_of_soup(soup, opposite);
 
   const std::vector<Eigen::Vector3d> points = points_of_mesh(mesh, vertex_point);
+  arrays.index.reserve(points.size());
+  arrays.points.reserve(points.size());
   std::vector<char> used(points.size(), false);
   for (int h = 0; h < soup.number_of_half_edges(); ++h)
     used[soup.source(h)] = true;
@@ -162,6 +165,7 @@ Mesh_arrays mesh_to_triangles(const FaceListGraph& mesh, const VertexPointMap& v
   }
   arrays.number_of_input_vertices = arrays.points.size();
   if (soup.number_of_half_edges() == 3 * soup.number_of_faces()) {
+    arrays.triangles.reserve(soup.number_of_faces());
     for (int f = 0; f < soup.number_of_faces(); ++f)
       arrays.triangles.push_back({soup.source(3 * f), soup.source(3 * f + 1), soup.source(3 * f + 2)});
   }
