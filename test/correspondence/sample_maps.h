@@ -84,7 +84,7 @@ inline Map_arrays<SM::Sphere_atlas> stretched(Map_arrays<SM::Sphere_atlas> m, co
 
 /// Two triangles per cell of an n x m grid, the first vertex at `origin`; in space a ring torus with
 /// the radii 2 and 1.
-inline Map_arrays<SM::Torus_atlas> torus_grid(int n, int m, Eigen::Vector2d origin = Eigen::Vector2d(0, 0))
+inline Map_arrays<SM::Torus_atlas> torus_grid(int n, int m, const Eigen::Vector2d& origin = Eigen::Vector2d(0, 0))
 {
   const double pi = 3.14159265358979323846;
   Map_arrays<SM::Torus_atlas> map;

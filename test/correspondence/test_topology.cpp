@@ -123,6 +123,14 @@ TEST_CASE("requirements say what the mesh is")
         == Error_code::wrong_genus);
 }
 
+TEST_CASE("meshes that indices of 32 bits cannot count are refused")
+{
+  CHECK_NOTHROW(internal::require_countable(2000000000));
+  const Error error = error_of([] { internal::require_countable(2000000001); });
+  CHECK(error.code() == Error_code::too_many_faces);
+  CHECK(std::string(error.what()).find("2000000001 corners") != std::string::npos);
+}
+
 TEST_CASE("what is no surface is named")
 {
   const auto check = [](const std::vector<Triangle>& faces, Error_code code, Mesh_element::Kind kind,

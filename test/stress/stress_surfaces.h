@@ -191,7 +191,7 @@ inline Triangle_mesh knotted_torus(int n, int m, int p, int q)
   Triangle_mesh mesh = grid_torus(n, m, 0);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < m; ++j)
-      mesh.points[static_cast<std::size_t>(i * m + j)]
+      mesh.points[static_cast<std::size_t>(i) * m + j]
         = knot_point(static_cast<double>(i) / n, std::cos(2 * pi * j / m), std::sin(2 * pi * j / m), p, q);
   return mesh;
 }
@@ -226,7 +226,7 @@ inline Triangle_mesh ring_torus(int n, int m, double R, double r, int twist = 0)
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < m; ++j) {
       const double u = 2 * pi * i / n, v = 2 * pi * (j + static_cast<double>(m) * twist * i / n) / m;
-      mesh.points[static_cast<std::size_t>(i * m + j)]
+      mesh.points[static_cast<std::size_t>(i) * m + j]
         = Vector3d((R + r * std::cos(v)) * std::cos(u), (R + r * std::cos(v)) * std::sin(u), r * std::sin(v));
     }
   return mesh;

@@ -24,6 +24,7 @@ namespace Simple_manifolds {
 /// range) is a CGAL precondition instead.
 enum class Error_code {
   empty_mesh,               ///< no face at all
+  too_many_faces,           ///< more corners of faces than indices of 32 bits can count
   not_closed,               ///< a closed surface is needed, the mesh has border
   no_border,                ///< a disk is needed, the mesh is closed
   several_components,       ///< more than one connected component

@@ -49,8 +49,8 @@ struct Surface_header {
 
 namespace internal {
 
-constexpr const char* surface_format = "simple_manifolds_surface";
-constexpr int surface_version = 1;
+inline constexpr const char* surface_format = "simple_manifolds_surface";
+inline constexpr int surface_version = 1;
 
 inline Surface_header header_of_json(const Json_field& j)
 {

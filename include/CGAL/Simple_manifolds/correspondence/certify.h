@@ -96,7 +96,7 @@ struct Certificate {
 
 namespace internal {
 
-constexpr std::size_t max_named_offenders = 16;
+inline constexpr std::size_t max_named_offenders = 16;
 
 inline void name_offender(std::vector<int>& names, std::size_t element)
 {

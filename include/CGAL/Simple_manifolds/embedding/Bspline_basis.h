@@ -100,7 +100,7 @@ private:
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///
 /// The largest degree of the splines of the package.
-constexpr int maximum_spline_degree = 9;
+inline constexpr int maximum_spline_degree = 9;
 
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///

@@ -27,9 +27,9 @@ namespace Simple_manifolds {
 namespace internal {
 
 template <class T, class = void>
-constexpr bool is_map = false;
+inline constexpr bool is_map = false;
 template <class T>
-constexpr bool is_map<T, std::void_t<typename T::Domain_point, typename T::Location>> = true;
+inline constexpr bool is_map<T, std::void_t<typename T::Domain_point, typename T::Location>> = true;
 
 } // namespace internal
 

@@ -35,7 +35,7 @@ struct Tessellation_report {
 
 /// The number of faces at which adaptive tessellations stop by default.
 /// \ingroup PkgSimpleManifoldsTessellation
-constexpr std::size_t default_max_faces = std::size_t(1) << 22;
+inline constexpr std::size_t default_max_faces = std::size_t(1) << 22;
 
 /// \ingroup PkgSimpleManifoldsTessellation
 ///

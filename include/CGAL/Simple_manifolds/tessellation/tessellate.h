@@ -66,7 +66,7 @@ std::vector<Triangle> triangulate(const Tile_grid<Atlas>& grid, const std::vecto
 namespace internal {
 
 template <class Map>
-constexpr bool is_given = !std::is_same_v<std::decay_t<Map>, CGAL::internal_np::Param_not_found>;
+inline constexpr bool is_given = !std::is_same_v<std::decay_t<Map>, CGAL::internal_np::Param_not_found>;
 
 template <class Map, class Vertex, class Value>
 void put_if_given(const Map& map, const Vertex& v, const Value& value)
@@ -137,13 +137,13 @@ Tile_grid<typename Surface::Atlas> tile_grid(const Surface& surface, const Named
 }
 
 template <class Tag, class NamedParameters>
-constexpr bool has_parameter
+inline constexpr bool has_parameter
   = is_given<decltype(CGAL::parameters::get_parameter(std::declval<const NamedParameters&>(),
                                                       std::declval<Tag>()))>;
 
 // Whether a criterion is among the parameters.
 template <class NamedParameters>
-constexpr bool is_adaptive = has_parameter<internal_np::chord_error_t, NamedParameters>
+inline constexpr bool is_adaptive = has_parameter<internal_np::chord_error_t, NamedParameters>
                              || has_parameter<internal_np::edge_length_t, NamedParameters>
                              || has_parameter<internal_np::sizing_t, NamedParameters>;
 

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-constexpr std::size_t deepest_document = 16; // levels of arrays and objects; a surface has 6
+inline constexpr std::size_t deepest_document = 16; // levels of arrays and objects; a surface has 6
 
 // Refuses what would exhaust the stack of the library's recursive reader of CBOR: deep nesting, and all items
 // without a length, none of which is in the files that are written here. Nothing is stored.

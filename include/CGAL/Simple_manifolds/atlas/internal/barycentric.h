@@ -27,7 +27,7 @@ namespace internal {
 
 // A sum of terms of total magnitude S is wrong by about 1e-16 S: below this share of S less than 13 digits
 // of it are left.
-constexpr double least_share = 1e-3;
+inline constexpr double least_share = 1e-3;
 
 // n / d, right to the last bits of a double whatever the sizes of the integers.
 inline double ratio(const Integer& n, const Integer& d)

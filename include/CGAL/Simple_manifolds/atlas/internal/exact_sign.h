@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-constexpr double half_ulp = 1.1102230246251565e-16; // e = 2^-53
-constexpr double underflow_slack = 1e-300;          // enormous against 2^-1075
+inline constexpr double half_ulp = 1.1102230246251565e-16; // e = 2^-53
+inline constexpr double underflow_slack = 1e-300;          // enormous against 2^-1075
 
 using Integer = boost::multiprecision::cpp_int;
 

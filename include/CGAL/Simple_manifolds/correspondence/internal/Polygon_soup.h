@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_POLYGON_SOUP_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_POLYGON_SOUP_H
 
+#include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/correspondence/Triangle.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -16,17 +17,33 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
+// Half-edges, and with them all else, are counted by int: some room is left for what is added on the way.
+inline constexpr std::size_t most_half_edges = 2000000000;
+
+// Throws Topology_error (too_many_faces).
+inline void require_countable(std::size_t half_edges)
+{
+  if (half_edges > most_half_edges)
+    throw Topology_error(Error_code::too_many_faces, "the faces have " + std::to_string(half_edges)
+                         + " corners or more, at most " + std::to_string(most_half_edges) + " are supported");
+}
+
 // Indexed triangles seen as half-edges: half-edge 3 f + k leads from corner k of face f to the next.
 class Triangle_soup {
 public:
   Triangle_soup(int number_of_vertices, const std::vector<Triangle>& faces)
-    : number_of_vertices_(number_of_vertices), faces_(faces) {}
+    : number_of_vertices_(number_of_vertices), faces_(faces)
+  {
+    require_countable(3 * faces.size());
+  }
 
   int number_of_vertices() const { return number_of_vertices_; }
   int number_of_faces() const { return static_cast<int>(faces_.size()); }
@@ -77,6 +94,7 @@ public:
         border_.push_back(is_border_after_corner(h, mesh));
         face_.push_back(static_cast<int>(start_.size()) - 1);
       }
+      require_countable(source_.size());
       start_.push_back(static_cast<int>(source_.size()));
     }
   }

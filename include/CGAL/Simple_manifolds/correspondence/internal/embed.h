@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-constexpr int number_of_attempts = 3;
+inline constexpr int number_of_attempts = 3;
 
 // The order of the points along Morton's curve: neighbours in space become neighbours in memory.
 inline std::vector<int> morton_order(const std::vector<Eigen::Vector3d>& points) // in [0,1]^3

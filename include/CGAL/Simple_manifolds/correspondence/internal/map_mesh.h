@@ -101,7 +101,7 @@ Manifold_map<Atlas> certified_map(const Embedding_problem<Point>& problem, const
   std::optional<Manifold_map<Atlas>> result;
   const bool done = embed<ConcurrencyTag>(
     problem, map_options(np), make_geometry, read,
-    [&](auto&& placed) {
+    [&](auto placed) {
       visitor.start_phase("certify");
       try {
         result.emplace(make_map(std::move(placed)));

@@ -23,7 +23,7 @@ namespace Simple_manifolds {
 namespace internal {
 
 // Beyond this the cubic time of triangulate_polygon would be felt.
-constexpr int max_polygon_corners = 1500;
+inline constexpr int max_polygon_corners = 1500;
 
 // The triangles of a polygon in space without new vertices: first as few as possible that turn away
 // from the polygon's normal, then the best shaped ones, among all triangulations whose diagonals are

@@ -25,7 +25,7 @@ namespace internal {
 
 // Loops over a row have constant length and independent steps, so that the compiler makes packs of them. All
 // rows are always filled: the result for a point does not depend on its place in the row.
-constexpr int row_size = 32;
+inline constexpr int row_size = 32;
 struct alignas(64) Row {
   double x[row_size];
 
@@ -62,10 +62,10 @@ template <class Atlas, class Bump, int Order>
 class Batch_weights;
 
 template <class Atlas>
-constexpr bool has_batch_weights = false;
+inline constexpr bool has_batch_weights = false;
 
 template <>
-constexpr bool has_batch_weights<Plane_atlas> = true;
+inline constexpr bool has_batch_weights<Plane_atlas> = true;
 
 // The plane: one chart, whose weight is 1.
 template <class Bump, int Order>

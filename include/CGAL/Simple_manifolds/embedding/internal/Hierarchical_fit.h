@@ -35,7 +35,7 @@ struct Mark {
 
 /// Only errors that are at least this part of the largest one are reasons to split a cell: what that
 /// does to the others is seen before they are, and fewer controls are needed in the end.
-constexpr double bulk = 0.6;
+inline constexpr double bulk = 0.6;
 
 /// The splines of all charts and the samples that they are fitted to: what one round of a fit does with
 /// them. Nothing here knows the atlas.

@@ -65,9 +65,9 @@ void store(const Pack<Width>& from, double* to) { std::memcpy(to, &from, sizeof(
 
 // What the compiler may use anyway.
 #if defined(__AVX__)
-constexpr int default_pack_width = 4;
+inline constexpr int default_pack_width = 4;
 #else
-constexpr int default_pack_width = 2;
+inline constexpr int default_pack_width = 2;
 #endif
 
 // Calls f(std::integral_constant<int, width>()) with the width that suits this processor. Programs for all

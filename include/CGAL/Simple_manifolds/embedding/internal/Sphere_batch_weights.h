@@ -25,7 +25,7 @@ namespace Simple_manifolds {
 namespace internal {
 
 template <>
-constexpr bool has_batch_weights<Sphere_atlas> = true;
+inline constexpr bool has_batch_weights<Sphere_atlas> = true;
 
 // The sphere: of each pair of opposite charts the one on the point's side.
 //

@@ -24,7 +24,7 @@ namespace Simple_manifolds {
 namespace internal {
 
 template <>
-constexpr bool has_batch_weights<Torus_atlas> = true;
+inline constexpr bool has_batch_weights<Torus_atlas> = true;
 
 // The torus: the charts at a point are two columns times two rows, translates of each other, so that all
 // coordinates have the same derivatives and the weights are products of functions of one coordinate.

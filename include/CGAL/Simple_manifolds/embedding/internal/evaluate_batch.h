@@ -233,8 +233,9 @@ void blend_batch(const Surface& surface, const Weights& weights, int n, Result* 
 
 // Whether `evaluate_batch()` can evaluate surfaces of a type.
 template <class Surface>
-constexpr bool may_have_batches = std::is_same_v<typename Surface::Chart_embedding, Hierarchical_embedding>
-                               && has_batch_weights<typename Surface::Atlas>;
+inline constexpr bool may_have_batches
+  = std::is_same_v<typename Surface::Chart_embedding, Hierarchical_embedding>
+    && has_batch_weights<typename Surface::Atlas>;
 
 // Whether it can evaluate this one: all charts have one base grid and one degree, of those that are compiled.
 template <class Surface>
