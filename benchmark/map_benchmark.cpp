@@ -1,5 +1,5 @@
 // Times, memory and distortion of maps over size, domain, threads, effort and energy, as CSV; on disks also
-// CGAL's own parameterizers in the same run. See README.md in this folder.
+// CGAL's own parameterizers in the same run, and on spheres its orbifolds. See README.md in this folder.
 
 #include "Memory_clock.h"
 
@@ -9,8 +9,10 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Orbifold_Tutte_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <CGAL/Simple_manifolds/IO/read_mesh.h>
@@ -19,6 +21,8 @@
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
 
 #include <boost/program_options.hpp>
+#include <boost/property_map/property_map.hpp>
+#include <boost/unordered_map.hpp>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -31,6 +35,7 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <list>
 #include <map>
 #include <random>
 #include <stdexcept>
@@ -187,6 +192,38 @@ void measure(const std::string& name, const Mesh& mesh, const Setting& s, Table&
   table.add(r);
 }
 
+/// Adds the row of a map to the plane that is not ours.
+template <class Graph, class Index, class Point, class UV_map>
+void add_flat(Row& r, const Graph& mesh, const Index& index, const Point& point, const UV_map& uv, Table& table)
+{
+  std::vector<Eigen::Vector3d> points(num_vertices(mesh));
+  std::vector<Eigen::Vector2d> domain_points(points.size());
+  for (const auto v : vertices(mesh)) {
+    const auto& p = point(v);
+    points[index(v)] = Eigen::Vector3d(p.x(), p.y(), p.z());
+    domain_points[index(v)] = Eigen::Vector2d(get(uv, v).x(), get(uv, v).y());
+  }
+  std::vector<SM::Triangle> triangles;
+  for (const auto f : faces(mesh)) {
+    SM::Triangle t;
+    int k = 0;
+    for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
+      t[k++] = index(v);
+    triangles.push_back(t);
+  }
+  // Some parameterizers give mirror images: a face is wrong when most others are the other way round.
+  std::size_t positive = 0, negative = 0;
+  for (const SM::Triangle& t : triangles) {
+    const int sign
+      = SM::Plane_atlas().orientation(domain_points[t[0]], domain_points[t[1]], domain_points[t[2]]);
+    positive += sign > 0;
+    negative += sign < 0;
+  }
+  r.not_positive = triangles.size() - std::max(positive, negative);
+  r.distortion = SM::distortion(SM::Plane_atlas(), points, domain_points, triangles);
+  table.add(r);
+}
+
 /// CGAL's own way to a disk, on the same mesh.
 template <class Parameterizer>
 void measure_parameterizer(const std::string& name, Mesh mesh, const std::string& method,
@@ -209,32 +246,68 @@ void measure_parameterizer(const std::string& name, Mesh mesh, const std::string
     std::cout << name << ", " << method << ": " << SMP::get_error_message(error) << std::endl;
     return;
   }
-  std::vector<Eigen::Vector3d> points;
-  std::vector<Eigen::Vector2d> domain_points;
-  std::vector<SM::Triangle> faces;
-  for (const auto v : mesh.vertices()) {
-    const auto& p = mesh.point(v);
-    points.emplace_back(p.x(), p.y(), p.z());
-    domain_points.emplace_back(uv[v].x(), uv[v].y());
+  add_flat(r, mesh, [](Mesh::Vertex_index v) { return static_cast<int>(v); },
+           [&](Mesh::Vertex_index v) { return mesh.point(v); }, uv, table);
+}
+
+/// Three vertices far from each other: the one farthest from the first vertex, and so on.
+std::vector<Mesh::Vertex_index> far_vertices(const Mesh& mesh)
+{
+  std::vector<Mesh::Vertex_index> chosen = {*mesh.vertices().begin()};
+  for (int k = 0; k < 3; ++k) {
+    const auto distance = [&](Mesh::Vertex_index v) {
+      double least = 1e300;
+      for (const auto c : chosen)
+        least = std::min(least, CGAL::squared_distance(mesh.point(c), mesh.point(v)));
+      return least;
+    };
+    chosen.push_back(*std::max_element(mesh.vertices().begin(), mesh.vertices().end(),
+                                       [&](auto v, auto w) { return distance(v) < distance(w); }));
   }
-  for (const auto f : mesh.faces()) {
-    SM::Triangle t;
-    int k = 0;
-    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
-      t[k++] = static_cast<int>(v);
-    faces.push_back(t);
+  return {chosen.begin() + 1, chosen.end()};
+}
+
+/// CGAL's only way from a closed mesh: cut along paths between three cones, embedded in a Euclidean orbifold.
+void measure_orbifold(const std::string& name, Mesh mesh, Table& table)
+{
+  using Seam_mesh = CGAL::Seam_mesh<Mesh, Mesh::Property_map<Mesh::Edge_index, bool>,
+                                    Mesh::Property_map<Mesh::Vertex_index, bool>>;
+  using Seam_vertex = boost::graph_traits<Seam_mesh>::vertex_descriptor;
+  Row r;
+  r.mesh = name;
+  r.domain = "orbifold";
+  r.method = "cgal_orbifold";
+  r.faces = num_faces(mesh);
+  const auto edge_on_seam = mesh.add_property_map<Mesh::Edge_index, bool>("e:on_seam", false).first;
+  const auto vertex_on_seam = mesh.add_property_map<Mesh::Vertex_index, bool>("v:on_seam", false).first;
+  auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  const Memory_clock memory;
+  const double wall = wall_seconds(), cpu = cpu_seconds();
+  const std::vector<Mesh::Vertex_index> cones = far_vertices(mesh);
+  std::list<Mesh::Edge_index> path;
+  SMP::compute_shortest_paths_between_cones(mesh, cones.begin(), cones.end(), path);
+  Seam_mesh cut(mesh, edge_on_seam, vertex_on_seam);
+  for (const auto e : path)
+    cut.add_seam(source(e, mesh), target(e, mesh));
+  boost::unordered_map<Seam_vertex, int> index;
+  int count = 0;
+  for (const auto v : vertices(cut))
+    index[v] = count++;
+  boost::unordered_map<Seam_vertex, SMP::Cone_type> cone_types;
+  SMP::Error_code error = SMP::ERROR_WRONG_PARAMETER;
+  if (SMP::locate_cones(cut, cones.begin(), cones.end(), cone_types))
+    error = SMP::Orbifold_Tutte_parameterizer_3<Seam_mesh>(SMP::Triangle, SMP::Cotangent)
+              .parameterize(cut, CGAL::Polygon_mesh_processing::longest_border(cut).first, cone_types, uv,
+                            boost::associative_property_map<boost::unordered_map<Seam_vertex, int>>(index));
+  r.wall = wall_seconds() - wall;
+  r.cpu = cpu_seconds() - cpu;
+  r.bytes_per_face = memory.bytes() / static_cast<double>(r.faces);
+  if (error != SMP::OK) {
+    std::cout << name << ", " << r.method << ": " << SMP::get_error_message(error) << std::endl;
+    return;
   }
-  // Some parameterizers give mirror images: a face is wrong when most others are the other way round.
-  std::size_t positive = 0, negative = 0;
-  for (const SM::Triangle& t : faces) {
-    const int sign
-      = SM::Plane_atlas().orientation(domain_points[t[0]], domain_points[t[1]], domain_points[t[2]]);
-    positive += sign > 0;
-    negative += sign < 0;
-  }
-  r.not_positive = faces.size() - std::max(positive, negative);
-  r.distortion = SM::distortion(SM::Plane_atlas(), points, domain_points, faces);
-  table.add(r);
+  add_flat(r, cut, [&](Seam_vertex v) { return index.at(v); },
+           [&](Seam_vertex v) { return mesh.point(target(Mesh::Halfedge_index(v), mesh)); }, uv, table);
 }
 
 Mesh read(const std::string& folder, const std::string& name)
@@ -271,6 +344,8 @@ void measure_all(const std::string& name, const Mesh& mesh, Table& table)
     measure_parameterizer(name, mesh, "cgal_mean_value",
                           SMP::Mean_value_coordinates_parameterizer_3<Mesh, Border>(), table);
     measure_parameterizer(name, mesh, "cgal_arap", SMP::ARAP_parameterizer_3<Mesh>(), table);
+  } else if (num_vertices(mesh) + num_faces(mesh) == num_edges(mesh) + 2) { // of genus 0
+    measure_orbifold(name, mesh, table);
   }
 }
 

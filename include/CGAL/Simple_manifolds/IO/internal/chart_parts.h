@@ -37,7 +37,7 @@ inline std::vector<Chart_part> chart_parts(const Charted_mesh& mesh)
 {
   std::vector<std::vector<int>> faces; // per chart + 1
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-    const std::size_t c = std::size_t(mesh.charts[f]) + 1;
+    const std::size_t c = std::size_t(mesh.charts[f]) + 1; // 0 for -1
     if (faces.size() <= c) faces.resize(c + 1);
     faces[c].push_back(int(f));
   }
