@@ -31,6 +31,22 @@ TEST_CASE("an isometry has none, whatever the scale")
   CHECK(d.smallest_domain_area == Approx(1 / 24.));
 }
 
+TEST_CASE("the size of the mesh changes no digit, from 1e-280 to 1e300")
+{
+  const auto m = sample::square_grid(4, 3, 3, 1);
+  const Distortion d = distortion_of(m);
+  for (const int exponent : {-930, -300, -1, 300, 990}) {
+    auto scaled = m;
+    for (auto& p : scaled.points)
+      p *= std::ldexp(1., exponent);
+    const Distortion e = distortion_of(scaled);
+    CHECK(e.angle_mean == d.angle_mean);
+    CHECK(e.area_mean_abs_log10 == d.area_mean_abs_log10);
+    CHECK(e.symmetric_dirichlet == d.symmetric_dirichlet);
+    CHECK(e.zero_area_faces == 0);
+  }
+}
+
 TEST_CASE("a stretched rectangle")
 {
   // 4 x 1 on the unit square: after scaling to equal areas sigma = 2, 1/2

@@ -275,6 +275,8 @@ TEST_CASE("Target areas sum to the area of the domain and follow the weights", "
   CHECK(plain[1] - plain[2] == Approx(3 * (plain[0] - plain[2])));
   const auto weighted = target_areas(points, triangles, 4, {1, 1, 1, 4, 1}, 1e-9, 12);
   CHECK(weighted[1] / weighted[0] == Approx(2 * 3)); // mean weights 2 and 1, areas 1.5 and 0.5
+  for (const double unit : {1e-300, 1e-9, 1e300}) // only the ratios of weights count
+    CHECK(target_areas(points, triangles, 4, {unit, unit, unit, 4 * unit, unit}, 1e-9, 12)[1] == Approx(weighted[1]));
   const std::vector<Vector3d> flat(5, Vector3d(0, 0, 0));
   CHECK(target_areas(flat, triangles, 4, {}, 0.1, 12)[0] == Approx(4));
 }

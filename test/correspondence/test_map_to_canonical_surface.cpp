@@ -243,6 +243,33 @@ TEST_CASE("Domain points go into the caller's property map, of a polyhedron too"
     CHECK(domain_points.at(v) == map.domain_point(i++));
 }
 
+TEST_CASE("Size and orientation are told at all scales, and midpoints do not overflow", "[map]")
+{
+  Random random(3);
+  Triangle_mesh sphere = random_sphere(100, 100, 0, random);
+  const auto plain = SM::map_to_sphere(surface_mesh(sphere));
+  for (const int exponent : {-900, 900}) {
+    Triangle_mesh scaled = sphere;
+    for (auto& p : scaled.points)
+      p *= std::ldexp(1., exponent);
+    const auto map = SM::map_to_sphere(surface_mesh(scaled));
+    CHECK(map.diagonal() == std::ldexp(plain.diagonal(), exponent));
+    CHECK(map.is_inward_oriented() == plain.is_inward_oriented());
+    for (auto& t : scaled.triangles)
+      std::swap(t[0], t[1]);
+    CHECK(SM::map_to_sphere(surface_mesh(scaled)).is_inward_oriented() != plain.is_inward_oriented());
+  }
+  // A square of two triangles, one of whose sides has a chord to be split.
+  Triangle_mesh fan;
+  for (int i = 0; i < 30; ++i)
+    fan.points.push_back(1.7e308 * Eigen::Vector3d(std::cos(CGAL_PI * i / 15), std::sin(CGAL_PI * i / 15), 0));
+  for (int i = 1; i + 1 < 30; ++i)
+    fan.triangles.push_back({0, i, i + 1});
+  const auto map = SM::map_to_plane(surface_mesh(fan));
+  CHECK(map.number_of_vertices() > 30);
+  CHECK(map.certificate().is_valid());
+}
+
 TEST_CASE("Borders are closed virtually on demand: holes of a disk, and all of a nearly closed mesh", "[map]")
 {
   namespace parameters = SM::parameters;
@@ -254,6 +281,24 @@ TEST_CASE("Borders are closed virtually on demand: holes of a disk, and all of a
   CHECK(disk.number_of_faces() >= num_faces(blade) + disk.number_of_virtual_faces());
   CHECK_FALSE(disk.is_virtual(0));
   CHECK(disk.is_virtual(disk.number_of_faces() - 1));
+
+  // The longest loop stays open, whatever the unit of length.
+  for (const double unit : {1e-200, 1., 1e200}) {
+    Triangle_mesh annulus;
+    for (int i = 0; i < 20; ++i)
+      annulus.points.push_back(unit * (i < 10 ? 1 : 3)
+                               * Eigen::Vector3d(std::cos(CGAL_PI * i / 5), std::sin(CGAL_PI * i / 5), 0));
+    for (int i = 0; i < 10; ++i) {
+      const int j = (i + 1) % 10;
+      annulus.triangles.push_back({i, i + 10, j + 10});
+      annulus.triangles.push_back({i, j + 10, j});
+    }
+    const auto closed = SM::map_to_plane(surface_mesh(annulus), parameters::close_borders(SM::Close_borders::INNER));
+    CHECK(closed.number_of_virtual_faces() == 10);
+    for (std::size_t f = 20; f < 30; ++f)
+      for (const int v : closed.face(f))
+        CHECK((v < 10 || v == 20)); // the inner loop, or the apex
+  }
 
   Random random(8);
   const Triangle_mesh whole = random_sphere(200, 300, 0, random);

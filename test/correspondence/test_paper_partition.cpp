@@ -302,6 +302,27 @@ TEST_CASE("The smallest spheres and tori are subdivided", "[paper]")
   }
 }
 
+TEST_CASE("Hubs, beside which the simplification would take forever, are refused", "[paper]")
+{
+  const int n = 2001;
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> rim;
+  for (int i = 0; i < n; ++i)
+    rim.push_back(mesh.add_vertex(Mesh::Point(std::cos(2 * CGAL_PI * i / n), std::sin(2 * CGAL_PI * i / n), 0)));
+  const auto top = mesh.add_vertex(Mesh::Point(0, 0, 1)), bottom = mesh.add_vertex(Mesh::Point(0, 0, -1));
+  for (int i = 0; i < n; ++i) {
+    mesh.add_face(rim[i], rim[(i + 1) % n], top);
+    mesh.add_face(rim[(i + 1) % n], rim[i], bottom);
+  }
+  try {
+    map_by_partition(mesh);
+    FAIL("a hub was accepted");
+  } catch (const Partition_error& e) {
+    CHECK(e.code() == Error_code::partition_failed);
+    CHECK(std::string(e.what()).find("vertex 2001 has valence 2001") != std::string::npos);
+  }
+}
+
 TEST_CASE("Reprojection and centroids make the tiles equal", "[paper]")
 {
   const Sphere_atlas atlas;

@@ -256,6 +256,38 @@ TEST_CASE("polygons are cut without doubling an edge")
     CHECK(topology(5, arrays.triangles).genus == 0);
     check_is_simplicial(arrays);
   }
+  SECTION("many corners: convex ones, a star with dents, one that turns back on itself, some diagonals forbidden")
+  {
+    for (const double inner : {1., 0.3, -0.5})
+      for (const int forbidden : {-1, 7}) {
+        const int n = 1000;
+        std::vector<Eigen::Vector3d> star;
+        for (int i = 0; i < n; ++i) {
+          const double angle = 2 * CGAL_PI * i / n, r = i % 2 ? inner : 1;
+          star.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.01 * std::sin(5 * angle));
+        }
+        const auto triangles = internal::triangulate_polygon(star, [&](int i, int j) {
+          return i != forbidden && j != forbidden; });
+        REQUIRE(triangles.size() == n - 2);
+        std::set<std::pair<int, int>> edges; // each inner one in both directions, each side in that of the polygon
+        int positive = 0;
+        for (const Triangle& t : triangles) {
+          positive += (star[t[1]] - star[t[0]]).cross(star[t[2]] - star[t[0]]).z() > 0;
+          for (int k = 0; k < 3; ++k)
+            CHECK(edges.emplace(t[k], t[(k + 1) % 3]).second);
+        }
+        CHECK(edges.size() == 3 * (n - 2));
+        for (int i = 0; i < n; ++i)
+          CHECK(edges.count({i, (i + 1) % n}) == 1);
+        for (const auto& [v, w] : edges)
+          CHECK((edges.count({w, v}) == 1 || w == (v + 1) % n));
+        if (inner > 0 && forbidden < 0)
+          CHECK(positive == n - 2);
+      }
+    std::vector<Eigen::Vector3d> line(300, Eigen::Vector3d(0, 0, 0));
+    CHECK(internal::triangulate_polygon(line, [](int, int) { return true; }).size() == 298);
+    CHECK(internal::triangulate_polygon(line, [](int, int) { return false; }).empty());
+  }
   SECTION("a forbidden diagonal")
   {
     const std::vector<Eigen::Vector3d> square = {{0, 0, 0}, {1, 0, 0}, {1.1, 1.1, 0}, {0, 1, 0}};

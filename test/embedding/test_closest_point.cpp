@@ -119,6 +119,18 @@ TEST_CASE("The closest points of a sphere, inside and outside, near and far")
   CHECK(std::abs(r.signed_distance + 1) < 1e-14);
 }
 
+TEST_CASE("Where squares overflow, the result is a point of the surface, at the right distance")
+{
+  const auto sphere = analytic::ellipsoid({1, 1, 1});
+  const SM::Closest_point_finder<analytic::Ellipsoid_surface> finder(sphere);
+  for(const double far : {1e160, 1e300}) {
+    const auto r = finder({far, 0, 0});
+    CHECK(r.distance == Approx(far));
+    CHECK(r.point.norm() == Approx(1));
+    CHECK((sphere.point(r.domain_point) - r.point).norm() < 1e-13);
+  }
+}
+
 TEST_CASE("The closest points of a torus of revolution")
 {
   const double large = 2, small = .7;

@@ -94,6 +94,8 @@ TEST_CASE("the diagonal of a surface")
 {
   CHECK(SM::surface_diagonal(ellipsoid({1, 2, 3})) == Approx(2 * std::sqrt(14.)).epsilon(1e-3));
   CHECK(SM::surface_diagonal(paraboloid()) == Approx(std::sqrt(3.)));
+  CHECK_THROWS_AS(SM::surface_diagonal(ellipsoid({0, 0, 0})), SM::Geometry_error);
+  CHECK_THROWS_AS(SM::surface_diagonal(ellipsoid({1e200, 1, 1})), SM::Geometry_error);
 }
 
 TEST_CASE("the chord error of the paraboloid is a quarter of the square of the cells, above the diagonals")

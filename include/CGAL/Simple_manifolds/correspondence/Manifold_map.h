@@ -14,6 +14,7 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/Point_locator.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/unit_scale.h>
 
 #include <CGAL/assertions.h>
 
@@ -221,13 +222,15 @@ private:
   void measure()
   {
     Eigen::AlignedBox3d box;
-    double volume = 0; // six times
-    const Eigen::Vector3d origin = points_[faces_[0][0]];
+    double volume = 0; // six times, scaled
+    const double scale = internal::unit_scale(points_);
+    const Eigen::Vector3d origin = scale * points_[faces_[0][0]];
     for (const Triangle& t : faces_) {
       for (int v : t)
         if (v < static_cast<int>(number_of_input_vertices_))
           box.extend(points_[v]);
-      volume += (points_[t[0]] - origin).dot((points_[t[1]] - origin).cross(points_[t[2]] - origin));
+      const Eigen::Vector3d a = scale * points_[t[0]] - origin, b = scale * points_[t[1]] - origin;
+      volume += a.dot(b.cross(scale * points_[t[2]] - origin));
     }
     if (number_of_virtual_faces_ > 0) {
       std::vector<char> is_real(points_.size(), false);
@@ -238,7 +241,7 @@ private:
         if (!is_real[v])
           virtual_vertices_.push_back(static_cast<int>(v));
     }
-    diagonal_ = box.isEmpty() ? 0. : box.diagonal().norm();
+    diagonal_ = box.isEmpty() ? 0. : (scale * box.max() - scale * box.min()).norm() / scale;
     is_inward_oriented_ = Atlas::is_closed && volume < 0;
   }
 

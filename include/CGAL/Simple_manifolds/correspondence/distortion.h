@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/correspondence/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/domain_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/unit_scale.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/variation.h>
 
 #include <CGAL/assertions.h>
@@ -72,7 +73,7 @@ namespace internal {
 // The linear maps of the faces with area in space, and the areas.
 struct Face_maps {
   std::vector<Eigen::Matrix2d> jacobian;
-  std::vector<double> area;        // in space
+  std::vector<double> area;        // in space, in a unit of their own
   std::vector<double> flat_area;   // of the flat domain triangle
   std::vector<double> domain_area; // on the sphere the spherical one
   std::size_t zero_area_faces = 0;
@@ -100,11 +101,12 @@ Face_maps face_maps(const Atlas& atlas, const std::vector<Eigen::Vector3d>& poin
                     const std::vector<Triangle>& faces)
 {
   Face_maps maps;
+  const double scale = unit_scale(points); // nothing here depends on the size
   for (const Triangle& t : faces) {
     const auto& a = domain_points[t[0]];
     const auto& b = domain_points[t[1]];
     const auto& c = domain_points[t[2]];
-    const Eigen::Vector3d d = points[t[1]] - points[t[0]], e = points[t[2]] - points[t[0]];
+    const Eigen::Vector3d p = scale * points[t[0]], d = scale * points[t[1]] - p, e = scale * points[t[2]] - p;
     const double area = d.cross(e).norm() / 2, domain_area = signed_area(atlas, a, b, c);
     maps.smallest_domain_area = std::min(maps.smallest_domain_area, domain_area);
     if (!(area > 0)) {

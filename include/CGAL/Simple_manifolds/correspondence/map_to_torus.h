@@ -68,7 +68,7 @@ inline void split_long_edges(std::vector<Lifted_face>& faces, std::vector<Eigen:
         const Eigen::Vector2d lift = (a.lift + b.lift) / 2; // exact: one more binary place
         if (middle[h] < 0) {
           middle[h] = middle[table.opposite(h)] = static_cast<int>(points.size());
-          points.push_back((points[a.vertex] + points[b.vertex]) / 2);
+          points.push_back(points[a.vertex] / 2 + points[b.vertex] / 2);
           domain_points.push_back(lift - lift.array().floor().matrix());
         }
         corner[k] = {middle[h], lift};

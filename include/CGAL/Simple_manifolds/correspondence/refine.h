@@ -185,7 +185,7 @@ private:
         return false;
       middle = *p;
     }
-    points_.push_back((points_[v] + points_[w]) / 2);
+    points_.push_back(points_[v] / 2 + points_[w] / 2);
     domain_points_.push_back(middle);
     mesh_.split(v, w);
     return true;

@@ -48,7 +48,7 @@ Closest_point<typename Surface::Domain_point> closest_point_at(const Surface& su
                                                                const Eigen::Vector3d& x)
 {
   const Eigen::Vector3d r = x - a.jet.value;
-  const double distance = r.norm();
+  const double distance = r.stableNorm();
   return {a.at, surface.atlas().point(a.at), a.jet.value, distance,
           r.dot(a.jet.u.cross(a.jet.v)) < 0 ? -distance : distance};
 }
@@ -111,11 +111,14 @@ public:
   std::size_t number_of_cells() const { return tree_.number_of_cells(); }
 
   /// The point of the surface closest to `x`, any point of space. Where there are several, it is one of them.
+  /// \pre the coordinates of `x` are finite
   Result operator()(const Eigen::Vector3d& x) const
   {
+    CGAL_precondition(x.allFinite());
     const double tolerance = 1e-9 * tree_.diagonal();
     double distance = std::numeric_limits<double>::infinity();
     internal::Approach best;
+    bool is_first = true; // whose distance may be infinite, if x is so far that squares overflow
     for(const auto& c : tree_.candidates(x)) {
       if(c.bound > distance - tolerance)
         break; // they are in the order of their bounds
@@ -126,9 +129,10 @@ public:
       };
       const Chart_point start = surface_.best_chart_point(tree_.domain_point(c));
       const internal::Approach a = internal::approach<2>(surface_, start, x, 40, stop);
-      if(const double d = std::sqrt(a.square); d < distance) {
+      if(const double d = std::sqrt(a.square); d < distance || is_first) {
         distance = d;
         best = a;
+        is_first = false;
       }
     }
     return internal::closest_point_at(surface_, best, x);

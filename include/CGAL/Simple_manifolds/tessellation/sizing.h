@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_TESSELLATION_SIZING_H
 #define CGAL_SIMPLE_MANIFOLDS_TESSELLATION_SIZING_H
 
+#include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/correspondence/Triangle.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
@@ -38,6 +39,8 @@ namespace Simple_manifolds {
 ///
 /// The diagonal of the bounding box of a surface: the unit of the tolerances of a tessellation. It is taken
 /// at the vertices of a grid of about 6000 cells.
+/// \throw Geometry_error  `zero_extent` when all of these coincide, `extent_out_of_range` when their squared distances
+///   leave the range of doubles
 template <class Surface>
 double surface_diagonal(const Surface& surface)
 {
@@ -47,7 +50,13 @@ double surface_diagonal(const Surface& surface)
   surface.points(grid.domain_points(), std::back_inserter(points));
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& x : points) box.extend(x);
-  return box.diagonal().norm();
+  const double diagonal = box.diagonal().norm();
+  if (!(diagonal > 0))
+    throw Geometry_error(Error_code::zero_extent, "the surface is a point: tolerances relative to its diagonal "
+                                                  "have no meaning");
+  if (!std::isfinite(diagonal))
+    throw Geometry_error(Error_code::extent_out_of_range, "the diagonal of the surface is not finite");
+  return diagonal;
 }
 
 namespace internal {

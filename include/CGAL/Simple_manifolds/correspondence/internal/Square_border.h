@@ -215,7 +215,7 @@ private:
     std::map<Edge, int> middle;
     for (const Edge& e : edges) {
       middle[e] = static_cast<int>(points_.size());
-      points_.push_back((points_[e.first] + points_[e.second]) / 2);
+      points_.push_back(points_[e.first] / 2 + points_[e.second] / 2);
     }
     std::vector<Triangle> result;
     for (const Triangle& t : triangles_) {

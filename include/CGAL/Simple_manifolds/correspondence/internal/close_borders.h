@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh_to_triangles.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/unit_scale.h>
 
 #include <algorithm>
 #include <vector>
@@ -18,11 +19,11 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-inline double length_of_loop(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& loop)
+inline double length_of_loop(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& loop, double scale)
 {
   double length = 0;
   for (std::size_t i = 0; i < loop.size(); ++i)
-    length += (points[loop[(i + 1) % loop.size()]] - points[loop[i]]).norm();
+    length += (scale * points[loop[(i + 1) % loop.size()]] - scale * points[loop[i]]).norm();
   return length;
 }
 
@@ -34,9 +35,10 @@ inline void close_borders(Mesh_arrays& a, Close_borders which)
     return;
   const Triangle_soup soup(static_cast<int>(a.points.size()), a.triangles);
   std::vector<std::vector<int>> loops = border_loops(soup, opposite_half_edges(soup));
+  const double scale = unit_scale(a.points);
   if (which == Close_borders::INNER)
     loops.erase(std::max_element(loops.begin(), loops.end(), [&](const auto& l, const auto& m) {
-      return length_of_loop(a.points, l) < length_of_loop(a.points, m);
+      return length_of_loop(a.points, l, scale) < length_of_loop(a.points, m, scale);
     }));
   for (const std::vector<int>& loop : loops) {
     const int apex = static_cast<int>(a.points.size());

@@ -84,12 +84,16 @@ inline std::vector<float> target_areas(const std::vector<Eigen::Vector3d>& point
 {
   std::vector<double> area(triangles.size(), 0.), share(triangles.size(), 0.);
   double area_sum = 0, share_sum = 0;
+  double largest_weight = 0; // only their ratios count
+  for (const double w : vertex_weight)
+    largest_weight = std::max(largest_weight, w);
+  const auto weight = [&](int v) { return largest_weight > 0 ? vertex_weight[v] / largest_weight : 1.; };
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     const Triangle& t = triangles[f];
     if (t[0] == apex || t[1] == apex || t[2] == apex)
       continue;
     share[f] = vertex_weight.empty() ? 1
-             : std::max((vertex_weight[t[0]] + vertex_weight[t[1]] + vertex_weight[t[2]]) / 3, 1e-6);
+             : std::max((weight(t[0]) + weight(t[1]) + weight(t[2])) / 3, 1e-6);
     area[f] = share[f] * (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm() / 2;
     area_sum += area[f];
     share_sum += share[f];

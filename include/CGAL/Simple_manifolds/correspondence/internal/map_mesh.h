@@ -18,6 +18,7 @@
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -40,7 +41,7 @@ Mesh_arrays mesh_arrays(const FaceListGraph& mesh, const NamedParameters& np)
     a.vertex_weight.assign(a.points.size(), 1.);
     std::size_t i = 0;
     for (const auto v : vertices(mesh)) {
-      CGAL_precondition(get(weight, v) >= 0);
+      CGAL_precondition(get(weight, v) >= 0 && std::isfinite(get(weight, v)));
       if (a.index[i] >= 0)
         a.vertex_weight[a.index[i]] = get(weight, v);
       ++i;
@@ -74,7 +75,7 @@ std::vector<Indexed_landmark<Point>> landmarks_of(const FaceListGraph& mesh, con
   if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::landmarks_t>::value) {
     std::vector<typename boost::graph_traits<FaceListGraph>::vertex_descriptor> range;
     for (const auto& l : CGAL::parameters::get_parameter_reference(np, internal_np::landmarks)) {
-      CGAL_precondition(l.weight >= 0);
+      CGAL_precondition(l.weight >= 0 && std::isfinite(l.weight) && l.point.allFinite());
       range.push_back(l.vertex);
       result.push_back({-1, l.point, l.weight});
     }

@@ -51,7 +51,7 @@ public:
   }
 
   // A face that finds all its triangulations blocked by the diagonals of earlier ones comes first in
-  // a new attempt; blocked again, it cannot be cut.
+  // a new attempt; blocked again, or the hundredth of them, it cannot be cut.
   // Throws Topology_error (unsupported_face) naming such a face.
   std::vector<Triangle> operator()()
   {
@@ -60,7 +60,7 @@ public:
       const int blocked = attempt(first);
       if (blocked == -1)
         break;
-      if (std::find(first.begin(), first.end(), blocked) != first.end())
+      if (first.size() == 100 || std::find(first.begin(), first.end(), blocked) != first.end())
         throw Topology_error(Error_code::unsupported_face, "face " + std::to_string(blocked) + " with "
                              + std::to_string(corners(blocked)) + " corners cannot be cut into triangles "
                              "without joining two vertices by two edges", Mesh_element::face(blocked));

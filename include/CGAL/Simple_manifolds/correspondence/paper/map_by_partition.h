@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -84,6 +85,7 @@ private:
   {
     constexpr int most_subdivisions = 3;
     const int n = static_cast<int>(points_.size());
+    require_no_hubs();
     for (int target = most_vertices;; target *= 2) {
       try {
         ++report_.attempts;
@@ -101,6 +103,21 @@ private:
     }
     drop_subdivision();
   }
+
+  // A collapse beside a hub takes time in proportion to its valence, and there are as many.
+  void require_no_hubs() const
+  {
+    std::vector<int> valence(points_.size(), 0);
+    for (const Triangle& t : triangles_)
+      for (const int v : t)
+        ++valence[v];
+    const auto hub = std::max_element(valence.begin(), valence.end());
+    if (*hub > largest_valence)
+      throw Partition_error(Partition_step::DISKS, "vertex " + std::to_string(hub - valence.begin()) + " has valence "
+                            + std::to_string(*hub) + ", at most " + std::to_string(largest_valence)
+                            + " is supported");
+  }
+  static constexpr int largest_valence = 2000;
 
   // With at most `number_of_vertices` of the input's vertices, or with all of the subdivided mesh.
   void attempt(int number_of_vertices)
