@@ -41,7 +41,7 @@ public:
         "how to map: certified, or paper (Grimm 2002), which may fail; the result is certified either way");
     add("close-borders", po::value<std::string>()->default_value("none"),
         "border loops to close by virtual faces: none, inner (all but the longest), all");
-    add("threads", po::value<int>(), "threads to use; results do not depend on it");
+    add("threads", po::value<int>(), "threads to use, 1 to 1024; results do not depend on it");
     add("quiet,q", po::bool_switch(), "print nothing but errors");
     add("help,h", po::bool_switch(), "print this and end");
     add("version", po::bool_switch(), "print the version and end");
@@ -102,10 +102,11 @@ private:
   void limit_threads()
   {
     if (!has("threads")) return;
-    require(get<int>("threads") >= 1, "threads", "at least 1");
+    const int threads = get<int>("threads"); // the memory for very many would be asked for at once
+    require(threads >= 1 && threads <= 1024, "threads", "from 1 to 1024");
 #ifdef CGAL_LINKED_WITH_TBB
     threads_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                     std::size_t(get<int>("threads")));
+                                                     std::size_t(threads));
 #endif
   }
 

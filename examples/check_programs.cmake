@@ -140,6 +140,8 @@ if(PART STREQUAL bad_input)
   file(WRITE ${in}/text.obj "Dear reader,\nthis is a letter.\n")
   file(WRITE ${in}/mesh.xyz "0 0 0\n1 0 0\n0 1 0\n")
   file(MAKE_DIRECTORY ${in}/folder.off)
+  file(CREATE_LINK circle.off ${in}/circle.off SYMBOLIC)
+  string(REPEAT "long" 75 long)
   set(four "0 0 0\n1 0 0\n0 1 0\n0 0 1\n")
   file(WRITE ${in}/truncated.off "OFF\n4 4 0\n${four}3 0 2 1\n3 0 1 3\n")
   file(WRITE ${in}/huge.off "OFF\n1000000000 4 0\n${four}")
@@ -189,7 +191,8 @@ if(PART STREQUAL bad_input)
   file(MAKE_DIRECTORY ${WORK}/out ${WORK}/existing)
   foreach(row
       "3;missing.off;does not exist" "3;empty.off;empty" "3;text.off;Dear" "3;text.ply;PLY" "3;text.stl;STL"
-      "3;text.obj;OBJ" "3;mesh.xyz;extension" "3;folder.off;regular file" "3;truncated.off;line 9.*ends"
+      "3;text.obj;OBJ" "3;mesh.xyz;extension" "3;folder.off;regular file" "3;circle.off;link" "3;${long}.off;too long"
+      "3;${long};too long" "3;truncated.off;line 9.*ends"
       "3;huge.off;1000000000 vertices" "3;index.off;face 0 refers to vertex 4"
       "4;nan.off;vertex 1 of 4.*NaN" "4;cloud.off;no faces"
       "4;edge.off;[(]0,1[)].*3 faces" "4;orientation.off;faces 0 and 1" "4;face.off;face 0"
@@ -214,14 +217,16 @@ if(PART STREQUAL usage)
   file(WRITE ${WORK}/file "")
   foreach(row
       "output" "${mesh};output" "-o;${WORK}/o;INPUT" "${mesh};-o;${WORK}/o;--bogus;bogus" "${mesh};${mesh};-o;${WORK}/o;positional"
-      "${mesh};-o;${WORK}/o;--threads;0;threads" "${mesh};-o;${WORK}/o;--method;other;certified, paper")
+      "${mesh};-o;${WORK}/o;--threads;0;threads" "${mesh};-o;${WORK}/o;--threads;1025;from 1 to 1024" "${mesh};-o;${WORK}/o;--method;other;certified, paper")
     list(POP_BACK row message)
     run(2 "${message}|INPUT" ${MAP_MESH} ${row})
     run(2 "${message}|INPUT" ${FIT_MESH} ${row})
   endforeach()
   foreach(row "--area-floor;0;above 0" "--effort;much;fast, default, quality" "--close-borders;some;none, inner"
       "--energy;none;symmetric_dirichlet, amips"
-      "--lambda;0;positive" "--lambda;x;lambda" "--metrics;${WORK}/none/m.json;m.json")
+      "--lambda;0;positive" "--lambda;x;lambda" "--metrics;${WORK}/none/m.json;m.json"
+      "--metrics;${WORK}/o;another result is written to" "--metrics;${WORK}/./o;another result is written to"
+      "--metrics;${mesh};INPUT would be overwritten")
     list(POP_BACK row message)
     run(2 "${message}" ${MAP_MESH} ${mesh} -o ${WORK}/o ${row})
   endforeach()
@@ -233,6 +238,17 @@ if(PART STREQUAL usage)
     run(2 "${message}" ${FIT_MESH} ${mesh} -o ${WORK}/o ${row})
   endforeach()
   run(2 "o.ply" ${MAP_MESH} ${mesh} -o ${WORK}/none/o.ply)
+  # A shell hands over the empty names, which a list would lose.
+  run(2 "name of a file is empty" sh -c "exec \"$@\" -o ''" sh ${MAP_MESH} ${mesh})
+  run(2 "name of a file is empty" sh -c "exec \"$@\" --metrics ''" sh ${MAP_MESH} ${mesh} -o ${WORK}/o)
+  run(2 "not a folder" sh -c "exec \"$@\" -o ''" sh ${FIT_MESH} ${mesh})
+  # A file in the place of INPUT, also behind a link.
+  file(WRITE ${WORK}/in/map.ply "mine")
+  file(CREATE_LINK map.ply ${WORK}/in/link SYMBOLIC)
+  run(2 "INPUT would be overwritten" ${MAP_MESH} ${WORK}/in/map.ply -o ${WORK}/in/link)
+  run(2 "INPUT would be overwritten" ${FIT_MESH} ${WORK}/in/link -o ${WORK}/in)
+  holds(in map.ply link)
+  file(REMOVE_RECURSE ${WORK}/in)
   run(2 "not a folder" ${FIT_MESH} ${mesh} -o ${WORK}/file)
   run(0 "" ${MAP_MESH} --help)
   run(0 "" ${FIT_MESH} --help)

@@ -16,9 +16,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <string>
+#include <system_error>
 #include <variant>
 #include <vector>
 
@@ -71,12 +74,18 @@ template <class Surface>
 auto bake_curvature(const Surface& surface, const SM::Charted_mesh& mesh, int texels)
 {
   std::vector<double> sizes;
-  for (double x : mesh.fields[0].values) sizes.push_back(std::abs(x));
-  const auto strong = sizes.begin() + sizes.size() * 19 / 20;
-  std::nth_element(sizes.begin(), strong, sizes.end());
-  std::cout << "mean curvature: blue -" << *strong << ", red " << *strong << '\n';
+  for (double x : mesh.fields[0].values)
+    if (std::isfinite(x)) sizes.push_back(std::abs(x)); // where the surface is a point or a line it is not
+  double scale = 0;
+  if (!sizes.empty()) {
+    const auto strong = sizes.begin() + sizes.size() * 19 / 20;
+    std::nth_element(sizes.begin(), strong, sizes.end());
+    scale = *strong;
+  }
+  if (scale == 0) scale = 1;
+  std::cout << "mean curvature: blue -" << scale << ", red " << scale << '\n';
   return SM::bake<CGAL::Parallel_if_available_tag>(
-    surface, texels, [scale = *strong](const SM::Jet& e) { return colour(SM::mean_curvature(e) / scale); });
+    surface, texels, [scale](const SM::Jet& e) { return colour(SM::mean_curvature(e) / scale); });
 }
 
 //! [write]
@@ -139,6 +148,13 @@ SM::Charted_mesh mesh_of_file(const Request& request)
   }
 }
 
+/// Whether both names lead to one file that exists.
+bool is_same_file(const std::string& a, const std::string& b)
+{
+  std::error_code ignored; // of names that lead nowhere
+  return std::filesystem::equivalent(a, b, ignored);
+}
+
 /// \throw po::error
 Request request_of(int argc, char** argv)
 {
@@ -174,6 +190,8 @@ Request request_of(int argc, char** argv)
       throw po::error("--subdivisions must be from 1 to 4096");
     if (!values["chord-error"].defaulted() && !(r.chord_error >= 1e-6))
       throw po::error("--chord-error must be at least 0.000001");
+    for (const std::string& file : {r.input, r.map})
+      if (is_same_file(file, r.output)) throw po::error("the output would replace the input " + file);
   } catch (const po::error&) {
     std::cerr << options;
     throw;
@@ -183,6 +201,10 @@ Request request_of(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+  const auto fail = [](const std::string& message, int status) {
+    std::cerr << "export_surface: " << message << std::endl;
+    return status;
+  };
   try {
     const Request request = request_of(argc, argv);
     const SM::Charted_mesh mesh = mesh_of_file(request);
@@ -190,11 +212,13 @@ int main(int argc, char** argv)
     std::cout << request.output << ": " << mesh.atlas << ", " << mesh.points.size() << " vertices, "
               << mesh.triangles.size() << " triangles, " << mesh.images.size() << " images\n";
   } catch (const po::error& e) {
-    std::cerr << "export_surface: " << e.what() << std::endl;
-    return 2;
+    return fail(e.what(), 2);
   } catch (const SM::Error& e) {
-    std::cerr << "export_surface: " << e.what() << std::endl;
-    return 3;
+    return fail(e.what(), 3);
+  } catch (const std::bad_alloc&) {
+    return fail("the memory is not sufficient", 4);
+  } catch (const std::exception& e) {
+    return fail(e.what(), 4);
   }
   return 0;
 }

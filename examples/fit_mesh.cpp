@@ -12,10 +12,13 @@
 #include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 using namespace tools;
 
@@ -80,6 +83,20 @@ int with_bump(int k, const F& f)
     case 1: return f(SM::Smoothstep_bump<1>());
     case 2: return f(SM::Smoothstep_bump<2>());
     default: return f(SM::Smoothstep_bump<3>());
+  }
+}
+
+// Found out before the work: the files can be written, and none of them takes the place of INPUT.
+void require_outputs(const Command_line& options, const Fit_request& request)
+{
+  const std::filesystem::path folder = options.get<std::string>("output");
+  SM::Atomic_folder trial(folder.string()); // leaves no trace
+  std::vector<std::string> names = {"map.ply", "surface.json", "surface.ply", "metrics.json"};
+  if (has_report) names.push_back("report.html");
+  if (request.samples > 0) names.push_back("samples.csv");
+  for (const std::string& name : names) {
+    trial.file(name);
+    require_not_input(options, (folder / name).string());
   }
 }
 
@@ -178,8 +195,7 @@ int write(Job& job, const Map& map, const Surface& surface, const SM::Fit_report
       write_page(job.folder.file("report.html"), completed(metrics, "fit_mesh", job.watch), map, surface,
                  report);
     });
-  SM::Atomic_file metrics_file(job.folder.file("metrics.json"));
-  write_metrics(metrics_file, completed(std::move(metrics), "fit_mesh", job.watch));
+  write_metrics(job.folder.file("metrics.json"), completed(std::move(metrics), "fit_mesh", job.watch));
   throw_if_interrupted();
   job.folder.commit();
 
@@ -302,6 +318,7 @@ int main(int argc, char** argv)
                 "write this many random points of the surface");
     options.parse(argc, argv);
     const Fit_request request = fit_request(options);
+    require_outputs(options, request);
 
     Stopwatch watch;
     const Input input = watch.time("read", [&] { return read_input(options); });

@@ -9,8 +9,9 @@
 #include <CGAL/Simple_manifolds/correspondence/refine.h>
 
 #include <functional>
-#include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
 using namespace tools;
 
@@ -26,6 +27,22 @@ Json metrics_of_criteria(const Map& map)
           {"stars_without_chart", r.charts.stars_without_chart},
           {"vertices_outside_of_their_star", r.vertices_outside},
           {"convex_share", r.convex_share()}};
+}
+
+// Found out before the work: every file can be written, and none of them takes the place of another.
+void require_outputs(const Command_line& options)
+{
+  std::vector<std::string> outputs;
+  for (const char* name : {"output", "metrics", "report"}) {
+    if (!options.has(name)) continue;
+    const std::string file = options.get<std::string>(name);
+    SM::Atomic_file{file}; // throws, or leaves no trace
+    require_not_input(options, file);
+    for (const std::string& other : outputs)
+      if (is_same_file(file, other))
+        throw Usage_error(std::string("--") + name + ": another result is written to " + other);
+    outputs.push_back(file);
+  }
 }
 
 } // namespace
@@ -63,7 +80,7 @@ int main(int argc, char** argv)
     if (options.has("report") && !has_report)
       throw Usage_error("--report needs zlib and three.js, which were missing when map_mesh was built");
     const bool is_quiet = options.get<bool>("quiet");
-    const std::string file = options.get<std::string>("output");
+    require_outputs(options);
 
     Stopwatch watch;
     const Input input = watch.time("read", [&] { return read_input(options); });
@@ -97,15 +114,14 @@ int main(int argc, char** argv)
                                {"refine", options.get<bool>("refine")}};
       metrics["map"]["criteria"] = metrics_of_criteria(map);
       if (is_paper(options)) metrics["partition"] = metrics_of_partition(partition);
-      throw_if_interrupted(); // no more from here on: there are all files or none
-      std::optional<SM::Atomic_file> metrics_file; // first: no map without its metrics
-      if (options.has("metrics")) metrics_file.emplace(options.get<std::string>("metrics"));
+      SM::Atomic_files files;
+      const auto file = [&](const char* name) { return files.file(options.get<std::string>(name)); };
       if (options.has("report"))
-        watch.time("report", [&] {
-          write_page(options.get<std::string>("report"), completed(metrics, "map_mesh", watch), map);
-        });
-      watch.time("write", [&] { SM::write_map(file, map); });
-      if (metrics_file) write_metrics(*metrics_file, completed(metrics, "map_mesh", watch));
+        watch.time("report", [&] { write_page(file("report"), completed(metrics, "map_mesh", watch), map); });
+      watch.time("write", [&] { SM::write_map(file("output"), map); });
+      if (options.has("metrics")) write_metrics(file("metrics"), completed(metrics, "map_mesh", watch));
+      throw_if_interrupted();
+      files.commit();
       if (!is_quiet)
         std::cout << summary(input, map) << "; angle " << shown(metrics["map"]["angle"]) << ", area "
                   << shown(metrics["map"]["area"]) << "; " << shown(watch.total()) << " s\n"

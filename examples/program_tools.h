@@ -35,10 +35,12 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace tools {
@@ -200,6 +202,25 @@ inline Input read_input(const Command_line& options)
   return input;
 }
 
+/// Whether two paths lead to the same file, or will when there is one.
+inline bool is_same_file(const std::string& a, const std::string& b)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  const auto full = [&](const std::string& name) {
+    return fs::weakly_canonical(fs::absolute(name, error), error).lexically_normal();
+  };
+  return a == b || (!full(a).empty() && full(a) == full(b));
+}
+
+/// \throw Usage_error  when a file that is going to be written is INPUT
+inline void require_not_input(const Command_line& options, const std::string& output)
+{
+  if (is_same_file(output, options.get<std::string>("input")))
+    throw Usage_error("INPUT would be overwritten by " + output);
+}
+
 inline SM::Close_borders close_borders(const Command_line& options)
 {
   const std::string which = options.get<std::string>("close-borders");
@@ -292,9 +313,10 @@ inline Json completed(Json metrics, const char* program, const Stopwatch& watch)
   return metrics;
 }
 
-/// Writes metrics and completes the file.
-inline void write_metrics(SM::Atomic_file& output, const Json& metrics)
+/// Writes metrics as a JSON file.
+inline void write_metrics(const std::string& file, const Json& metrics)
 {
+  SM::Atomic_file output(file);
   output.stream() << metrics.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   output.commit();
 }

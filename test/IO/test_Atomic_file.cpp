@@ -1,10 +1,13 @@
 #include "catch.h"
 
+#include "short_of_memory.h"
 #include "temporary_folder.h"
 
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
 
 #include <sys/stat.h>
+
+#include <new>
 
 namespace SM = CGAL::Simple_manifolds;
 using Names = std::vector<std::string>;
@@ -32,7 +35,7 @@ TEST_CASE("a file that cannot be written is an error that names it")
 {
   const Temporary_folder folder;
   std::filesystem::create_directory(folder("is_folder"));
-  for (const char* name : {"missing/a.txt", "is_folder"}) {
+  for (const std::string& name : Names{"missing/a.txt", "is_folder", std::string(300, 'a')}) {
     try {
       SM::Atomic_file file(folder(name));
       FAIL("no error");
@@ -42,6 +45,45 @@ TEST_CASE("a file that cannot be written is an error that names it")
     }
   }
   CHECK(folder.entries() == Names{"is_folder"});
+  CHECK_THROWS_AS(SM::Atomic_file(""), SM::IO_error);
+}
+
+TEST_CASE("whenever memory is short, nothing is left behind")
+{
+  const Temporary_folder folder;
+  folder.write("a.txt", "old");
+  const std::string name = folder("a.txt");
+  bool is_written = false;
+  for (long n = 0; !is_written; ++n) {
+    allocations_left = n;
+    try {
+      SM::Atomic_file file(name);
+      file.stream() << "new";
+      file.commit();
+      is_written = true;
+    } catch (const std::bad_alloc&) {
+    }
+    allocations_left = -1;
+    REQUIRE(folder.entries() == Names{"a.txt"});
+    REQUIRE(folder.read("a.txt") == (is_written ? "new" : "old"));
+  }
+  const std::string there = folder("there");
+  is_written = false;
+  for (long n = 0; !is_written; ++n) {
+    allocations_left = n;
+    try {
+      SM::Atomic_folder output(there);
+      const std::string b = output.file("b");
+      allocations_left = -1;
+      std::ofstream(b) << "B";
+      allocations_left = n;
+      output.commit();
+      is_written = true;
+    } catch (const std::bad_alloc&) {
+    }
+    allocations_left = -1;
+    REQUIRE(folder.entries() == (is_written ? Names{"a.txt", "there", "there/b"} : Names{"a.txt"}));
+  }
 }
 
 TEST_CASE("links are followed, devices and their like are no files")
@@ -57,6 +99,22 @@ TEST_CASE("links are followed, devices and their like are no files")
   CHECK(std::filesystem::is_symlink(folder("link")));
   CHECK(folder.read("a.txt") == "new");
   CHECK(folder.entries() == Names{"a.txt", "link"});
+  std::filesystem::create_symlink("b.txt", folder("to_nothing"));
+  {
+    SM::Atomic_file file(folder("to_nothing"));
+    file.stream() << "new";
+    file.commit();
+  }
+  CHECK(std::filesystem::is_symlink(folder("to_nothing")));
+  CHECK(folder.read("b.txt") == "new");
+  std::filesystem::remove(folder("b.txt"));
+  CHECK_THROWS_AS(SM::Atomic_folder(folder("to_nothing")), SM::IO_error);
+  CHECK_THROWS_AS(SM::Atomic_folder(folder("to_nothing/out")), SM::IO_error);
+  std::filesystem::remove(folder("to_nothing"));
+  std::filesystem::create_symlink("circle", folder("circle"));
+  CHECK_THROWS_AS(SM::Atomic_file(folder("circle")), SM::IO_error);
+  std::filesystem::remove(folder("circle"));
+
   REQUIRE(mkfifo(folder("pipe").c_str(), 0600) == 0);
   CHECK_THROWS_AS(SM::Atomic_file(folder("pipe")), SM::IO_error);
   CHECK(folder.entries() == Names{"a.txt", "link", "pipe"});
@@ -101,8 +159,58 @@ TEST_CASE("a folder that is not committed leaves nothing behind")
   CHECK_THROWS_AS(SM::Atomic_folder(base("file")), SM::IO_error);
   CHECK_THROWS_AS(SM::Atomic_folder(""), SM::IO_error);
   {
-    SM::Atomic_folder folder(base("out"));
+    SM::Atomic_folder folder(base("deep/out"));
     folder.file("never written");
     CHECK_THROWS_AS(folder.commit(), SM::IO_error);
   }
+  CHECK(base.entries() == Names{"file"});
+}
+
+// The names a, b, c and d are given in this order; b is missing before, and d has become a folder.
+template <class Output>
+void check_that_old_files_return(const Temporary_folder& base, Output& output, const std::string& prefix)
+{
+  base.write("a", "old a");
+  base.write("c", "old c");
+  for (const char* name : {"a", "b", "c", "d"})
+    std::ofstream(output.file(prefix + name)) << "new";
+  std::filesystem::create_directory(base("d"));
+  CHECK_THROWS_AS(output.commit(), SM::IO_error);
+}
+
+TEST_CASE("when one of several files cannot have its name, those that were there before return")
+{
+  const Temporary_folder base;
+  {
+    SM::Atomic_folder output(base("."));
+    check_that_old_files_return(base, output, "");
+  }
+  CHECK(base.entries() == Names{"a", "c", "d"});
+  std::filesystem::remove(base("d"));
+  {
+    SM::Atomic_files output;
+    check_that_old_files_return(base, output, base(""));
+  }
+  CHECK(base.entries() == Names{"a", "c", "d"});
+  CHECK(base.read("a") == "old a");
+  CHECK(base.read("c") == "old c");
+}
+
+TEST_CASE("several files appear together, in different folders")
+{
+  const Temporary_folder base;
+  std::filesystem::create_directory(base("sub"));
+  base.write("a", "old");
+  std::filesystem::create_symlink("../a", base("sub/link"));
+  for (const bool is_complete : {false, true}) {
+    SM::Atomic_files files;
+    std::ofstream(files.file(base("sub/link"))) << "A";
+    std::ofstream(files.file(base("sub/b"))) << "B";
+    CHECK(base.read("a") == "old");
+    CHECK_THROWS_AS(files.file(base("sub")), SM::IO_error);
+    if (is_complete) files.commit();
+  }
+  CHECK(base.read("a") == "A");
+  CHECK(base.read("sub/b") == "B");
+  CHECK(base.entries() == Names{"a", "sub", "sub/b", "sub/link"});
 }

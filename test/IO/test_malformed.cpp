@@ -560,3 +560,54 @@ TEST_CASE("malformed surfaces are refused, as JSON and as CBOR")
     refused(name, good.dump() + "}", {"no valid JSON"});
   }
 }
+
+TEST_CASE("short surface files that ask for much memory are refused before it is taken")
+{
+  using nlohmann::json;
+  const auto patch = [](int nu, int nv, const json& indices, const json& coefficients) {
+    return json{{"support", {0, 0, 1, 1}}, {"controls", {nu, nv}}, {"indices", indices},
+                {"coefficients", coefficients}};
+  };
+  const auto none = json::array();
+  const auto document = [](const std::string& atlas, int charts, int degree, const json& patches) {
+    return json{{"format", "simple_manifolds_surface"}, {"version", 1}, {"atlas", atlas}, {"degree", degree},
+                {"bump", {{"type", "smoothstep"}, {"smoothness", 2}}},
+                {"charts", json(std::size_t(charts), json{{"patches", patches}})}};
+  };
+  // Functions far from each other, each of which divides cells of all levels.
+  json scattered = none;
+  const int side = (1 << 15) + 9;
+  for (int k = 0; k < 70; ++k)
+    for (int l = 0; l < 70; ++l) scattered.push_back(k * 468 * side + l * 468);
+
+  struct Hungry {
+    json document;
+    bool is_stack;
+    Words words;
+  };
+  const Temporary_folder folder;
+  const long before = peak_memory_in_kilobytes();
+  for (const Hungry& c : std::vector<Hungry>{
+         {document("plane", 1, 3, json(400, patch(4, 1 << 20, none, none))), true,
+          {"charts[0].patches: 400 patches", "4194328000 controls", "16777216"}},
+         {document("torus", 9, 3, json(2, patch(1024, 1024, none, none))), true, {"2 patches", "1864135"}},
+         {document("plane", 1, 1, json(1, patch(2, (1 << 30) - 1, none, none))), true,
+          {"1 patches", "0 coefficients"}},
+         {document("sphere", 6, 9, json(1, patch(1033, 1033, none, none))), false,
+          {"1024 cells per side", "1048576 leaves", "2796202"}},
+         {document("plane", 1, 1, json(1, patch(46340, 46340, none, none))), false, {"46339 cells per side"}},
+         {document("plane", 1, 9,
+                   {patch(10, 10, none, none), patch(side, side, scattered, json(4900, {1, 2, 3}))}), false,
+          {"1 cells per side", "leaves", "4900 coefficients"}}}) {
+    const auto cbor = json::to_cbor(c.document);
+    for (const std::string& bytes : {c.document.dump(), std::string(cbor.begin(), cbor.end())}) {
+      CHECK(bytes.size() < 150000);
+      const std::string file = folder.write("s", bytes);
+      check_refusal({c.words[0], "s", bytes, Error_code::syntax_error, c.words}, file, [&] {
+        if (c.is_stack) SM::read_any_surface<SM::Smoothstep_bump<2>, SM::Patch_stack_embedding>(file);
+        else SM::read_any_surface(file);
+      });
+    }
+  }
+  CHECK(peak_memory_in_kilobytes() - before < 50000);
+}

@@ -115,6 +115,7 @@ TEST_CASE("what is no map, or no valid one, is refused")
   CHECK(code(replaced(good, "input_vertices 5", "input_vertices 9")) == Error_code::syntax_error);
   CHECK(code(replaced(good, "input_vertices 5", "input_vertices x")) == Error_code::syntax_error);
   CHECK(code(replaced(good, "virtual_faces 2", "virtual_faces 13")) == Error_code::syntax_error);
+  CHECK(code(replaced(good, "virtual_faces 2", "virtual_faces 12")) == Error_code::syntax_error); // all faces
   CHECK(code(replaced(good, "virtual_faces 2", "virtual_faces -1")) == Error_code::syntax_error);
   CHECK(code(good.substr(0, good.size() - 12)) == Error_code::syntax_error);
   CHECK_THROWS_AS(SM::read_map<SM::Torus_atlas>(folder("map.ply")), SM::IO_error);

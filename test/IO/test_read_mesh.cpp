@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstring>
+#include <new>
 
 namespace SM = CGAL::Simple_manifolds;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -65,6 +66,38 @@ SM::Error_code refused(const std::string& file, std::string* message = nullptr)
   FAIL("the file was accepted");
   return {};
 }
+
+// A point map that throws at one vertex, after `left` others.
+struct Throwing_map {
+  using key_type = Mesh::Vertex_index;
+  using value_type = Kernel::Point_3;
+  using reference = const value_type&;
+  using category = boost::read_write_property_map_tag;
+
+  Mesh* mesh;
+  int left;
+
+  friend void put(Throwing_map& map, key_type v, const value_type& p)
+  {
+    if (map.left-- == 0) throw std::bad_alloc();
+    map.mesh->point(v) = p;
+  }
+};
+
+// An allocator that fails once, after `Failure::left` successes; never, where that is negative.
+struct Failure { static inline long left = -1; };
+
+template <class T>
+struct Failing_allocator : std::allocator<T> {
+  template <class U> struct rebind { using other = Failing_allocator<U>; };
+  Failing_allocator() = default;
+  template <class U> Failing_allocator(const Failing_allocator<U>&) {}
+  T* allocate(std::size_t n)
+  {
+    if (Failure::left >= 0 && Failure::left-- == 0) throw std::bad_alloc();
+    return std::allocator<T>::allocate(n);
+  }
+};
 
 } // namespace
 
@@ -177,6 +210,61 @@ TEST_CASE("files that cannot be read at all")
   }
 }
 
+TEST_CASE("a file name that the system does not take is an error like any other")
+{
+  const Temporary_folder folder;
+  std::filesystem::create_symlink("circle", folder("circle"));
+  std::filesystem::create_symlink("circle.off", folder("circle.off"));
+  const std::string name = folder(std::string(300, 'a'));
+  for (const std::string& file : {name, name + ".off", folder("circle"), folder("circle.off")}) {
+    std::string message;
+    CHECK(refused(file, &message) == Error_code::cannot_open);
+    CHECK_THAT(message, !Catch::Matchers::ContainsSubstring("does not exist"));
+  }
+}
+
+TEST_CASE("an exception on the way leaves the mesh with the elements that it had")
+{
+  const Temporary_folder folder;
+  const std::string file = folder.write("a.off", tetrahedron_off);
+  Mesh mesh;
+  SM::read_mesh(file, mesh);
+  for (int n = 0; n < 4; ++n) {
+    CHECK_THROWS_AS(SM::read_mesh(file, mesh, CGAL::parameters::vertex_point_map(Throwing_map{&mesh, n})),
+                    std::bad_alloc);
+    CHECK(mesh.number_of_vertices() == 4);
+    CHECK(mesh.number_of_edges() == 6);
+    CHECK(mesh.number_of_faces() == 4);
+    CHECK(mesh.is_valid());
+  }
+  SM::read_mesh(file, mesh); // a new attempt gives what the first would have given
+  CHECK(CGAL::is_valid_polygon_mesh(mesh));
+  REQUIRE(mesh.number_of_vertices() == 8);
+  for (std::size_t v = 0; v < 4; ++v)
+    CHECK(mesh.point(Mesh::Vertex_index(v + 4)) == mesh.point(Mesh::Vertex_index(v)));
+
+  using Polyhedron =
+    CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_3, CGAL::HalfedgeDS_default, Failing_allocator<int>>;
+  long failures = 0;
+  for (;; ++failures) {
+    Polyhedron polyhedron;
+    polyhedron.make_tetrahedron();
+    Failure::left = failures;
+    try {
+      SM::read_mesh(file, polyhedron);
+      break;
+    } catch (const std::bad_alloc&) {
+    }
+    Failure::left = -1;
+    CHECK(polyhedron.size_of_vertices() == 4);
+    CHECK(polyhedron.size_of_halfedges() == 12);
+    CHECK(polyhedron.size_of_facets() == 4);
+    CHECK(polyhedron.is_valid());
+  }
+  Failure::left = -1;
+  CHECK(failures == 4 + 6 + 4); // one for each element
+}
+
 TEST_CASE("every truncation of a file is an error or a smaller mesh, never a crash")
 {
   const Temporary_folder folder;
@@ -219,6 +307,45 @@ TEST_CASE("a header that announces too much is refused at once")
   stl[82] = '\x7f';
   CHECK(refused(folder.write("a.stl", stl)) == Error_code::syntax_error);
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+}
+
+TEST_CASE("a header of many elements, and one that comes twice")
+{
+  const Temporary_folder folder;
+  std::string header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                       "property float z\nelement face 1\nproperty list uchar int vertex_indices\n";
+  for (int i = 0; i < 2000; ++i)
+    header += "element e" + std::to_string(i) + " 0\n";
+  const std::string rest = "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  Mesh mesh;
+  CHECK(SM::read_mesh(folder.write("a.ply", header + rest), mesh).is_disk());
+  std::string message;
+  CHECK(refused(folder.write("b.ply", header + "element e7 0\n" + rest), &message) == Error_code::syntax_error);
+  CHECK_THAT(message, Catch::Matchers::ContainsSubstring("line 2009: the element e7 comes twice"));
+}
+
+TEST_CASE("numbers beyond the range of a double are infinite or zero, however they are written")
+{
+  const Temporary_folder folder;
+  const auto with_number = [&](const std::string& x) {
+    return folder.write("a.off", "OFF\n3 1 0\n" + x + " 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  };
+  const std::string zeros(320, '0');
+  for (const std::string& large : {"1" + zeros + "e-5", "-1" + zeros, "0.01" + zeros + "e+320", std::string("1e309"),
+                                   std::string("-1E400"), std::string("1e99999999999999999999")})
+    CHECK(refused(with_number(large)) == Error_code::non_finite_coordinate);
+  for (const std::string& small : {"0." + zeros + "00001", "-0." + zeros + "0001e-1", "0." + zeros + "1e+2",
+                                   std::string("1e-400"), std::string("+1E-400"),
+                                   std::string("1e-99999999999999999999"), std::string("0e99999999999999999999")}) {
+    Mesh mesh;
+    SM::read_mesh(with_number(small), mesh);
+    CHECK(std::abs(mesh.point(Mesh::Vertex_index(0)).x()) < 1e-307);
+  }
+  Mesh mesh;
+  SM::read_mesh(with_number("+1" + zeros + "e-320"), mesh);
+  CHECK(mesh.point(Mesh::Vertex_index(0)).x() == 1);
+  for (const std::string bad : {"+-0.25", "-+0.25", "++1", "+", "-", ".", "1e", "1e+", "0x10"})
+    CHECK(refused(with_number(bad)) == Error_code::syntax_error);
 }
 
 TEST_CASE("bad data name the element and the line")

@@ -1,11 +1,13 @@
 #include "catch.h"
 
+#include "short_of_memory.h"
 #include "temporary_folder.h"
 
 #include <CGAL/Simple_manifolds/IO/surface_io.h>
 #include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
 
 #include <cmath>
+#include <new>
 
 namespace SM = CGAL::Simple_manifolds;
 using SM::Error_code;
@@ -116,6 +118,8 @@ TEMPLATE_TEST_CASE("hierarchical surfaces read back bit for bit", "", SM::Plane_
       CHECK(a.levels()[k].indices == b.levels()[k].indices);
       CHECK(a.levels()[k].coefficients == b.levels()[k].coefficients);
     }
+    using Io = SM::internal::Embedding_io<SM::Hierarchical_embedding>;
+    CHECK(Io::number_of_leaves(a.degree(), a.levels()) == a.number_of_leaves());
   }
   SM::write_surface(again, copy);
   CHECK(folder.read("again.json") == folder.read("s.json"));
@@ -285,4 +289,69 @@ TEST_CASE("damaged CBOR is refused, whatever the damage")
   CHECK_THAT(message(key + "\x7b\x7f\xff\xff\xff\xff\xff\xff\xff"), ContainsSubstring("too early"));
   CHECK_THAT(message("\xa0"), ContainsSubstring("no surface"));
   CHECK_THAT(message(key + "\xff"), ContainsSubstring("without a length"));
+}
+
+TEST_CASE("files are as nlohmann::json writes them")
+{
+  const Temporary_folder folder;
+  const auto check = [&](const auto& surface) {
+    SM::write_surface(folder("s.json"), surface);
+    SM::write_surface(folder("s.cbor"), surface);
+    const auto j = nlohmann::ordered_json::parse(folder.read("s.json"));
+    const auto cbor = nlohmann::ordered_json::to_cbor(j);
+    CHECK(folder.read("s.json") == j.dump() + '\n');
+    CHECK(folder.read("s.cbor") == std::string(cbor.begin(), cbor.end()));
+  };
+  check(some_surface<SM::Plane_atlas>());
+  check(hierarchical_surface<SM::Sphere_atlas>());
+  const std::vector<Eigen::Vector3d> corners = {
+    {0, -0., 1e-320}, {1e300, -5, 0.1}, {float(0.1), 1 << 20, 1e21}, {-1e-5, 123456789, 1 / 3.}};
+  std::vector<Eigen::Vector3d> many(70000, Eigen::Vector3d(1, 2, 3)); // 24, 256 and 65536 are steps of CBOR
+  check(Plane({SM::Patch_stack_embedding({SM::Spline_patch({0, 0, 1, 1}, 1, 2, 2, corners),
+                                          SM::Spline_patch({0, 0, 1, 1}, 1, 2, 35000, many),
+                                          SM::Spline_patch({0, 0, 1, 1}, 1, 100, 300, {corners[0]}, {29999})})}));
+}
+
+TEST_CASE("where memory ends at any point, that is an exception, and files stay as they are")
+{
+  const Temporary_folder folder;
+  const auto surface = hierarchical_surface<SM::Plane_atlas>();
+  // Calls step() with ever more memory, until there is enough; returns how often there was not.
+  const auto failures = [](const auto& step, const auto& check) {
+    for (int n = 0;; ++n) {
+      try {
+        allocations_left = n;
+        step();
+        allocations_left = -1;
+        return n;
+      } catch (const std::bad_alloc&) {
+        allocations_left = -1;
+        check();
+      }
+    }
+  };
+  const auto nothing = [] {};
+  for (const std::string name : {"s.json", "s.cbor"}) {
+    const std::string file = folder.write(name, "old");
+    int changed = 0;
+    CHECK(failures([&] { SM::write_surface(file, surface); },
+                   [&] { changed += folder.read(name) != "old"; }) > 100);
+    CHECK(changed == 0);
+    CHECK(failures([&] { SM::read_any_surface(file); }, nothing) > 100);
+    CHECK(failures([&] { SM::read_surface_header(file); }, nothing) > 100);
+
+    const auto read_damaged = [&] {
+      try {
+        SM::read_any_surface(file);
+      } catch (const SM::IO_error&) {
+        return;
+      }
+      CHECK(false); // it was accepted
+    };
+    const std::string good = folder.read(name), twice = R"({"a":[[1],[2]],"a":[3,{"b":4}]})";
+    for (const std::string& bytes : {good.substr(0, good.size() / 2), twice}) {
+      folder.write(name, bytes);
+      CHECK(failures(read_damaged, nothing) > 10);
+    }
+  }
 }

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <new>
 #include <vector>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -54,6 +55,22 @@ double total_curvature(const Surface& surface, int n)
   }
   return sum;
 }
+
+// A map of domain points that throws at the vertex that *left counts down to.
+struct Throwing_map {
+  using key_type = void;
+  using value_type = Eigen::Vector3d;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+
+  int* left;
+
+  template <class Vertex>
+  friend void put(const Throwing_map& map, Vertex, const value_type&)
+  {
+    if ((*map.left)-- == 0) throw std::bad_alloc();
+  }
+};
 
 } // namespace
 
@@ -183,6 +200,31 @@ TEST_CASE("Polyhedron_3 gets the same mesh, and what was in the mesh stays")
   CHECK(two.is_valid());
   CHECK(euler_characteristic(two) == 2);
   CHECK(two.number_of_vertices() == 152u + 225u);
+}
+
+TEST_CASE("an exception on the way leaves the mesh with the elements that it had")
+{
+  const auto sphere = ellipsoid(Eigen::Vector3d(1, 1, 1));
+  const auto check = [&](auto mesh) {
+    SM::tessellate(sphere, mesh, SM::parameters::subdivisions(3));
+    for (int n : {0, 1, 30, 55}) {
+      CHECK_THROWS_AS(SM::tessellate(sphere, mesh, SM::parameters::subdivisions(3).domain_point_map(Throwing_map{&n})),
+                      std::bad_alloc);
+      CHECK(mesh.is_valid());
+      CHECK(vertices(mesh).size() == 56);
+      CHECK(faces(mesh).size() == 108);
+      CHECK(euler_characteristic(mesh) == 2);
+    }
+    SM::tessellate(sphere, mesh, SM::parameters::subdivisions(3)); // a new attempt
+    CHECK(CGAL::is_valid_polygon_mesh(mesh));
+    CHECK(euler_characteristic(mesh) == 4);
+    std::vector<Point> points;
+    for (auto v : vertices(mesh)) points.push_back(get(CGAL::vertex_point, mesh, v));
+    REQUIRE(points.size() == 112);
+    CHECK(std::equal(points.begin(), points.begin() + 56, points.begin() + 56));
+  };
+  check(Mesh());
+  check(Polyhedron());
 }
 
 TEST_CASE("by default there are about 6000 cells, whatever the surface")

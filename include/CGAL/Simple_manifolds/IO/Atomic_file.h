@@ -9,13 +9,12 @@
 #define CGAL_SIMPLE_MANIFOLDS_IO_ATOMIC_FILE_H
 
 #include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/IO/internal/Pending_files.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 /// \file
 
@@ -24,23 +23,31 @@ namespace Simple_manifolds {
 
 namespace internal {
 
-/// A path beside `path` at which nothing exists yet.
-inline std::filesystem::path unused_path_beside(const std::filesystem::path& path)
-{
-  for (int i = 0;; ++i) {
-    std::filesystem::path p = path;
-    p += ".tmp" + std::to_string(i);
-    std::error_code ignored;
-    if (!std::filesystem::exists(std::filesystem::symlink_status(p, ignored))) return p;
-  }
-}
-
-/// The file that a link leads to; every other path as it is.
-inline std::filesystem::path behind_links(const std::filesystem::path& path)
+/// Where a file of this name is or will be: links are followed, also one that leads to a file that is missing.
+inline std::filesystem::path behind_links(std::filesystem::path path)
 {
   std::error_code error;
-  const std::filesystem::path target = std::filesystem::canonical(path, error);
-  return !error && std::filesystem::is_symlink(path, error) ? target : path;
+  for (int i = 0; i < 40 && std::filesystem::is_symlink(std::filesystem::symlink_status(path, error)); ++i) {
+    const std::filesystem::path target = std::filesystem::read_symlink(path, error);
+    if (error) break;
+    path = path.parent_path() / target;
+  }
+  return path;
+}
+
+/// The same, for a file that will be written.
+/// \throw IO_error (`cannot_write`) when that is known to be impossible
+inline std::filesystem::path writable_path(const std::string& file)
+{
+  if (file.empty()) throw IO_error(Error_code::cannot_write, "\"\"", "the name of a file is empty");
+  const std::filesystem::path path = behind_links(file);
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::none) // e.g. links in a circle
+    throw IO_error(Error_code::cannot_write, file, error.message());
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw IO_error(Error_code::cannot_write, file, "is not a regular file");
+  return path;
 }
 
 /// `dir/` and `dir` name the same folder; a temporary name can only be appended to the latter.
@@ -48,13 +55,6 @@ inline std::filesystem::path without_trailing_separator(const std::filesystem::p
 {
   const std::filesystem::path p = path.lexically_normal();
   return p.has_filename() || !p.has_parent_path() || p == p.root_path() ? p : p.parent_path();
-}
-
-inline void finish(std::ofstream& out, const std::string& name)
-{
-  out.close();
-  if (!out)
-    throw IO_error(Error_code::cannot_write, name, "the data cannot be written (is the disk full?)");
 }
 
 } // namespace internal
@@ -66,25 +66,15 @@ inline void finish(std::ofstream& out, const std::string& name)
 /// a file that had the name before stays as it was.
 class Atomic_file {
 public:
-  /// \param file  a link is followed: the file that it leads to is replaced
+  /// \param file  a link is followed: the file that it leads to is replaced or created
   /// \throw IO_error (`cannot_write`) when the file cannot be created, or is a folder or a device
-  explicit Atomic_file(const std::string& file) : file_(internal::behind_links(file))
+  explicit Atomic_file(const std::string& file) : file_(internal::writable_path(file))
   {
-    std::error_code ignored;
-    if (const auto status = std::filesystem::status(file_, ignored);
-        std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-      throw IO_error(Error_code::cannot_write, file, "is not a regular file");
-    temporary_ = internal::unused_path_beside(file_);
-    out_.open(temporary_, std::ios::binary);
-    if (!out_) {
-      remove();
-      throw IO_error(Error_code::cannot_write, file, "the file cannot be created");
-    }
+    const std::filesystem::path temporary = internal::unused_path_beside(file_);
+    pending_.add(temporary, file_);
+    out_.open(temporary, std::ios::binary);
+    if (!out_) throw IO_error(Error_code::cannot_write, file, "the file cannot be created");
   }
-
-  Atomic_file(const Atomic_file&) = delete;
-  Atomic_file& operator=(const Atomic_file&) = delete;
-  ~Atomic_file() { remove(); }
 
   /// The stream to write to; it is binary, so that files do not depend on the system.
   std::ostream& stream() { return out_; }
@@ -93,31 +83,50 @@ public:
   /// \throw IO_error (`cannot_write`) when the data did not reach the disk or the name cannot be given
   void commit()
   {
-    internal::finish(out_, file_.string());
-    std::error_code error;
-    std::filesystem::rename(temporary_, file_, error);
-    if (error) throw IO_error(Error_code::cannot_write, file_.string(), error.message());
-    temporary_.clear();
+    out_.close();
+    if (!out_)
+      throw IO_error(Error_code::cannot_write, file_.string(),
+                     "the data cannot be written (is the disk full?)");
+    pending_.move();
   }
 
 private:
-  void remove()
-  {
-    if (temporary_.empty()) return;
-    out_.close();
-    std::error_code ignored;
-    std::filesystem::remove(temporary_, ignored);
-  }
-
-  std::filesystem::path file_, temporary_;
+  std::filesystem::path file_;
+  internal::Pending_files pending_; // before the stream: removed after it is closed
   std::ofstream out_;
 };
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// A folder to which several files come together or not at all. The files are written into a
-/// temporary folder; `commit()` creates the folder, if it is missing, and moves the files into it.
-/// Other files of the folder are left alone. Without `commit()` nothing remains.
+/// Several files, wherever they are, that appear together or not at all: as `Atomic_file`, but the caller
+/// writes them. When one of them cannot take its name, those that had the names before are put back; only if
+/// the system fails in that moment, some files are new and others old.
+class Atomic_files {
+public:
+  /// The path at which the caller writes what will be called `file`; nothing is created yet.
+  /// \pre no two calls are for the same file
+  /// \throw IO_error (`cannot_write`) when `file` is a folder or a device
+  std::string file(const std::string& file)
+  {
+    const std::filesystem::path path = internal::writable_path(file);
+    const std::filesystem::path temporary = internal::unused_path_beside(path);
+    pending_.add(temporary, path);
+    return temporary.string();
+  }
+
+  /// Gives the files their names.
+  /// \throw IO_error (`cannot_write`) when a file is missing or the name cannot be given
+  void commit() { pending_.move(); }
+
+private:
+  internal::Pending_files pending_;
+};
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// A folder to which several files come together or not at all, in the sense of `Atomic_files`. The files are
+/// written into a temporary folder; `commit()` creates the folder, if it is missing, and moves the files into
+/// it. Other files of the folder are left alone. Without `commit()` nothing remains.
 class Atomic_folder {
 public:
   /// Nothing is written to the disk before the first `file()`.
@@ -126,7 +135,7 @@ public:
   {
     std::error_code ignored;
     if (folder.empty() || !std::filesystem::is_directory(nearest_existing(), ignored))
-      throw IO_error(Error_code::cannot_write, folder, "is not a folder");
+      throw IO_error(Error_code::cannot_write, folder.empty() ? "\"\"" : folder, "is not a folder");
   }
 
   Atomic_folder(const Atomic_folder&) = delete;
@@ -134,18 +143,20 @@ public:
 
   ~Atomic_folder()
   {
+    pending_.remove();
     std::error_code ignored;
-    if (!temporary_.empty()) std::filesystem::remove_all(temporary_, ignored);
+    if (!temporary_.empty()) std::filesystem::remove(temporary_, ignored);
   }
 
   /// The path at which the caller writes the file that will be called `name`.
-  /// \throw IO_error (`cannot_write`) when the temporary folder cannot be created
+  /// \throw IO_error (`cannot_write`) when the temporary folder cannot be created, or `name` is a folder
   std::string file(const std::string& name)
   {
     if (temporary_.empty()) create_temporary();
-    if (std::filesystem::is_directory(folder_ / name))
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder_ / name, ignored))
       throw IO_error(Error_code::cannot_write, (folder_ / name).string(), "is a folder");
-    names_.push_back(name);
+    pending_.add(temporary_ / name, folder_ / name);
     return (temporary_ / name).string();
   }
 
@@ -153,38 +164,52 @@ public:
   /// \throw IO_error (`cannot_write`) when a file is missing or cannot be moved
   void commit()
   {
+    const std::filesystem::path existing = nearest_existing();
+    std::filesystem::path created = absolute_folder();
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
-    for (const std::string& name : names_) {
-      if (!error) std::filesystem::rename(temporary_ / name, folder_ / name, error);
+    try {
+      if (error) throw IO_error(Error_code::cannot_write, folder_.string(), error.message());
+      pending_.move();
+    } catch (...) {
+      for (; created != existing && created != created.root_path(); created = created.parent_path())
+        std::filesystem::remove(created, error);
+      throw;
     }
-    if (error) throw IO_error(Error_code::cannot_write, folder_.string(), error.message());
-    names_.clear();
   }
 
 private:
-  // The folder, or the nearest one above it that exists.
+  // Empty when there is no current folder.
+  std::filesystem::path absolute_folder() const
+  {
+    std::error_code ignored;
+    return std::filesystem::absolute(folder_, ignored);
+  }
+
+  // The folder, or the nearest one above it that exists; or what is there instead of a folder.
   std::filesystem::path nearest_existing() const
   {
-    std::filesystem::path path = std::filesystem::absolute(folder_);
-    std::error_code ignored; // e.g. "not a directory", of a path below a file
-    while (!std::filesystem::exists(std::filesystem::status(path, ignored)) && path != path.root_path())
-      path = path.parent_path();
+    std::filesystem::path path = absolute_folder();
+    while (!internal::is_taken(path) && path != path.root_path()) path = path.parent_path();
     return path;
   }
 
   // Where the folder is or will be: renaming then stays on one disk.
   void create_temporary()
   {
-    const std::filesystem::path path = internal::unused_path_beside(nearest_existing() / ".simple_manifolds");
+    const std::filesystem::path base = nearest_existing() / ".simple_manifolds";
     std::error_code error;
-    std::filesystem::create_directory(path, error);
-    if (error) throw IO_error(Error_code::cannot_write, folder_.string(), error.message());
-    temporary_ = path;
+    do
+      temporary_ = internal::unused_path_beside(base);
+    while (!std::filesystem::create_directory(temporary_, error) && !error); // another program was faster
+    if (error) {
+      temporary_.clear();
+      throw IO_error(Error_code::cannot_write, folder_.string(), error.message());
+    }
   }
 
   std::filesystem::path folder_, temporary_;
-  std::vector<std::string> names_;
+  internal::Pending_files pending_;
 };
 
 } // namespace Simple_manifolds

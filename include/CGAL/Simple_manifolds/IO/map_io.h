@@ -76,7 +76,7 @@ Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
   std::size_t virtual_faces = 0;
   if (const std::string text = value_of_comment(ply, "virtual_faces"); !text.empty()) {
     const long long n = Text_scanner(file, text, false).integer(text, "the number of virtual_faces");
-    if (n < 0 || std::size_t(n) > faces.size())
+    if (n < 0 || std::size_t(n) >= faces.size()) // some are of the mesh
       ply.fail("virtual_faces is " + text + ", but there are " + std::to_string(faces.size()) + " faces");
     virtual_faces = std::size_t(n);
   }

@@ -10,13 +10,13 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/parameters.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/add_soup.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 #include <CGAL/Simple_manifolds/IO/internal/File_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/Ply_file.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_stl.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_text_formats.h>
 
-#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -26,6 +26,7 @@
 #include <cctype>
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 /// \file
@@ -42,7 +43,8 @@ inline File_mesh read_file_mesh(const std::string& file)
                  [](unsigned char c) { return char(std::tolower(c)); });
   const bool is_known =
     extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl";
-  if (!is_known && std::filesystem::exists(file))
+  std::error_code ignored; // e.g. of a name that is too long: the file cannot be opened either
+  if (!is_known && std::filesystem::exists(file, ignored))
     throw IO_error(Error_code::unsupported_format, file,
                    "the extension \"" + extension + "\" is none of .off, .obj, .ply, .stl");
   const std::string bytes = file_contents(file);
@@ -61,6 +63,9 @@ inline File_mesh read_file_mesh(const std::string& file)
 /// linear in the size of the file, whatever its header says. Isolated vertices are kept. Corners of an
 /// STL with equal coordinates become one vertex.
 ///
+/// What is thrown later, `std::bad_alloc` or an exception of the point map, leaves `mesh` with the elements that
+/// it had: those that were added are removed again, which a `Surface_mesh` counts as garbage.
+///
 /// \param file  the extension says the format; OFF and OBJ are text, PLY and STL text or binary
 /// \param mesh  a model of `MutableFaceGraph`; it receives the vertices and faces in the file's order
 /// \param np    `vertex_point_map`
@@ -73,33 +78,23 @@ inline File_mesh read_file_mesh(const std::string& file)
 ///        manifold, or the faces are not consistently oriented; it names the element
 template <class MutableFaceGraph, class NamedParameters = parameters::Default_named_parameters>
 Mesh_topology read_mesh(const std::string& file, MutableFaceGraph& mesh,
-               const NamedParameters& np = parameters::default_values())
+                        const NamedParameters& np = parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Vertex = typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor;
 
   const internal::File_mesh contents = internal::read_file_mesh(file);
-  const Mesh_topology result = internal::checked_topology(file, contents);
+  std::vector<int> opposite;
+  const Mesh_topology result = internal::checked_topology(file, contents, opposite);
 
   auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                  get_property_map(CGAL::vertex_point, mesh));
   using Point = typename boost::property_traits<decltype(points)>::value_type;
 
-  std::vector<Vertex> vertices;
-  vertices.reserve(contents.points.size());
-  for (const Eigen::Vector3d& p : contents.points) {
-    vertices.push_back(add_vertex(mesh));
-    put(points, vertices.back(), Point(p.x(), p.y(), p.z()));
-  }
-  std::vector<std::vector<Vertex>> faces;
-  faces.reserve(contents.number_of_faces());
-  for (int f = 0; f < contents.number_of_faces(); ++f) {
-    faces.emplace_back();
-    for (int h = contents.first(f); h <= contents.last(f); ++h)
-      faces.back().push_back(vertices[contents.source(h)]);
-  }
-  CGAL::Euler::add_faces(faces, mesh);
+  internal::add_soup(contents, opposite, mesh, [&](int i, auto v) {
+    const Eigen::Vector3d& p = contents.points[i];
+    put(points, v, Point(p.x(), p.y(), p.z()));
+  });
   return result;
 }
 

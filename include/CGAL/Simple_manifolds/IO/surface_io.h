@@ -80,7 +80,7 @@ Surface surface_of_json(const Json_field& j)
   for (std::size_t c = 0; c < charts.size(); ++c) {
     const Json_field list = charts[c]["patches"];
     if (list.size() == 0) list.fail("at least one patch is expected");
-    embeddings.push_back(Embedding_io<Chart_embedding>::read(list, header.degree));
+    embeddings.push_back(Embedding_io<Chart_embedding>::read(list, header.degree, Atlas::number_of_charts));
   }
   return Surface(std::move(embeddings));
 }
@@ -96,32 +96,36 @@ Surface surface_of_json(const Json_field& j)
 ///
 /// \tparam ChartEmbedding  `Hierarchical_embedding` or `Patch_stack_embedding`
 /// \pre all splines have one degree, and finite coefficients
-/// \throw IO_error (`cannot_write`); a file that was there before is then as it was
+/// \throw IO_error (`cannot_write`), std::bad_alloc; a file that was there before is then as it was
 template <class Atlas, class ChartEmbedding, class Bump>
 void write_surface(const std::string& file, const Manifold_surface<Atlas, ChartEmbedding, Bump>& surface)
 {
   using Io = internal::Embedding_io<ChartEmbedding>;
-  nlohmann::ordered_json j;
-  j["format"] = internal::surface_format;
-  j["version"] = internal::surface_version;
-  j["atlas"] = Atlas::name;
-  j["bump"] = {{"type", Bump::type}, {"smoothness", int(Bump::smoothness)}};
   const int degree = Io::degree(surface.chart_embedding(0));
-  j["degree"] = degree;
-  j["charts"] = nlohmann::ordered_json::array();
+  const bool is_cbor = std::filesystem::path(file).extension() == ".cbor";
+  Atomic_file output(file);
+  internal::Document_writer out(output.stream(), is_cbor);
+  out.object(6);
+  out.entry("format", internal::surface_format);
+  out.entry("version", internal::surface_version);
+  out.entry("atlas", Atlas::name);
+  out.value("bump");
+  out.object(2);
+  out.entry("type", Bump::type);
+  out.entry("smoothness", int(Bump::smoothness));
+  out.entry("degree", degree);
+  out.value("charts");
+  out.array(Atlas::number_of_charts);
   for (int c = 0; c < Atlas::number_of_charts; ++c) {
     const ChartEmbedding& embedding = surface.chart_embedding(c);
     CGAL_precondition(Io::degree(embedding) == degree);
-    auto patches = nlohmann::ordered_json::array();
-    for (const internal::Patch_record& patch : Io::patches(embedding))
-      patches.push_back(internal::json_of_patch(patch));
-    j["charts"].push_back({{"patches", std::move(patches)}});
+    const std::vector<internal::Patch_record> patches = Io::patches(embedding);
+    out.object(1);
+    out.value("patches");
+    out.array(patches.size());
+    for (const internal::Patch_record& patch : patches) internal::write_patch(out, patch);
   }
-  Atomic_file output(file);
-  if (std::filesystem::path(file).extension() == ".cbor")
-    nlohmann::ordered_json::to_cbor(j, output.stream());
-  else
-    output.stream() << j << '\n';
+  if (!is_cbor) output.stream() << '\n';
   output.commit();
 }
 
@@ -131,27 +135,29 @@ void write_surface(const std::string& file, const Manifold_surface<Atlas, ChartE
 /// \throw IO_error when the file is missing or no surface
 inline Surface_header read_surface_header(const std::string& file)
 {
-  const nlohmann::json j = internal::parse_document(file, internal::file_contents(file));
-  return internal::header_of_json(internal::Json_field(file, j));
+  const internal::Document document{internal::parse_document(file, internal::file_contents(file))};
+  return internal::header_of_json(internal::Json_field(file, document.root));
 }
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// Reads a surface of a known type, from JSON or CBOR.
+/// Reads a surface of a known type, from JSON or CBOR. Its controls may take 512 MB of memory, and 8 kB for each
+/// coefficient in the file: far more than what is fitted needs, but a short file cannot fill the memory.
 /// \tparam Surface  a `Manifold_surface` with `Hierarchical_embedding`, which takes the files whose patches
 ///                  are grids of the whole unit square, each 1, 2, 4, ... times as fine as the coarsest, or
 ///                  with `Patch_stack_embedding`, which takes all files
-/// \throw IO_error when the file is missing, no surface, damaged, or of another atlas, bump or kind of patch
+/// \throw IO_error when the file is missing, no surface, damaged, of another atlas, bump or kind of patch, or asks
+///                  for too much memory
 template <class Surface>
 Surface read_surface(const std::string& file)
 {
-  const nlohmann::json j = internal::parse_document(file, internal::file_contents(file));
-  return internal::surface_of_json<Surface>(internal::Json_field(file, j));
+  const internal::Document document{internal::parse_document(file, internal::file_contents(file))};
+  return internal::surface_of_json<Surface>(internal::Json_field(file, document.root));
 }
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// Reads a surface over whichever canonical surface the file names.
+/// Reads a surface over whichever canonical surface the file names, with the limits of `read_surface()`.
 /// \tparam Bump            the bump of the file
 /// \tparam ChartEmbedding  as for `read_surface()`
 /// \return a `std::variant` of the three types `Manifold_surface<Atlas, ChartEmbedding, Bump>`
@@ -163,8 +169,8 @@ auto read_any_surface(const std::string& file)
   using Sphere = Manifold_surface<Sphere_atlas, ChartEmbedding, Bump>;
   using Torus = Manifold_surface<Torus_atlas, ChartEmbedding, Bump>;
   using Any = std::variant<Plane, Sphere, Torus>;
-  const nlohmann::json j = internal::parse_document(file, internal::file_contents(file));
-  const internal::Json_field root(file, j);
+  const internal::Document document{internal::parse_document(file, internal::file_contents(file))};
+  const internal::Json_field root(file, document.root);
   const std::string atlas = internal::header_of_json(root).atlas;
   if (atlas == Plane_atlas::name) return Any(internal::surface_of_json<Plane>(root));
   if (atlas == Sphere_atlas::name) return Any(internal::surface_of_json<Sphere>(root));

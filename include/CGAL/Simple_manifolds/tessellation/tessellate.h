@@ -10,6 +10,9 @@
 
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/Polygon_soup.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/add_soup.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/half_edges.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/parameters.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
@@ -19,13 +22,11 @@
 #include <CGAL/Simple_manifolds/tessellation/sizing.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <tuple>
@@ -80,7 +81,6 @@ void tessellate(const Surface& surface, const Grid& grid, MutableFaceGraph& out,
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Vertex = typename boost::graph_traits<MutableFaceGraph>::vertex_descriptor;
 
   const auto normals = get_parameter(np, internal_np::normal_map);
   const auto chart_points = get_parameter(np, internal_np::chart_point_map);
@@ -103,11 +103,9 @@ void tessellate(const Surface& surface, const Grid& grid, MutableFaceGraph& out,
   auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                     get_property_map(CGAL::vertex_point, out));
   using Point = typename boost::property_traits<decltype(point_map)>::value_type;
-  std::vector<Vertex> vertices;
-  vertices.reserve(position.size());
-  for (std::size_t i = 0; i < position.size(); ++i) {
-    const Vertex v = add_vertex(out);
-    vertices.push_back(v);
+  const std::vector<Triangle> triangles = triangulate(grid, position);
+  const Triangle_soup soup(int(position.size()), triangles);
+  add_soup(soup, opposite_half_edges(soup), out, [&](int i, auto v) {
     put(point_map, v, Point(position[i].x(), position[i].y(), position[i].z()));
     put_if_given(chart_points, v, grid.chart_points()[i]);
     put_if_given(domain_points, v, grid.domain_points()[i]);
@@ -115,12 +113,7 @@ void tessellate(const Surface& surface, const Grid& grid, MutableFaceGraph& out,
       using Vector = typename boost::property_traits<std::decay_t<decltype(normals)>>::value_type;
       put(normals, v, Vector(normal[i].x(), normal[i].y(), normal[i].z()));
     }
-  }
-
-  std::vector<std::array<Vertex, 3>> faces;
-  for (const Triangle& t : triangulate(grid, position))
-    faces.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
-  CGAL::Euler::add_faces(faces, out);
+  });
 }
 
 // The grid for a surface, as fine as the parameters say, or with about so many cells.
@@ -213,7 +206,8 @@ adaptive_triangulation(const Surface& surface, const NamedParameters& np = param
 /// same connectivity up to the diagonals of the cells, and corresponding vertices. With one or more of the
 /// parameters `chord_error`, `edge_length` and `sizing` it is adaptive: a coarse grid is split where the
 /// criteria ask for it and nowhere else, by the rules of `Domain_triangulation`. The same parameters give the
-/// same mesh.
+/// same mesh. An exception, such as `std::bad_alloc`, leaves `out` with the elements that it had: those that
+/// were added are removed again, which a `Surface_mesh` counts as garbage.
 ///
 /// \param surface  a `Manifold_surface`
 /// \param out      a model of `MutableFaceGraph` such as `Surface_mesh` or `Polyhedron_3`

@@ -9,15 +9,15 @@
 #define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_EMBEDDING_IO_H
 
 #include <CGAL/Simple_manifolds/IO/internal/Json_field.h>
+#include <CGAL/Simple_manifolds/IO/internal/parse_document.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
 
 #include <CGAL/assertions.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <string>
@@ -37,18 +37,28 @@ struct Patch_record {
   std::vector<Eigen::Vector3d> coefficients;
 };
 
-inline nlohmann::ordered_json json_of_patch(const Patch_record& patch)
+inline void write_patch(Document_writer& out, const Patch_record& patch)
 {
-  nlohmann::ordered_json j;
-  j["support"] = patch.support;
-  j["controls"] = {patch.nu, patch.nv};
-  if (patch.has_indices) j["indices"] = patch.indices;
-  auto& list = j["coefficients"] = nlohmann::ordered_json::array();
+  out.object(patch.has_indices ? 4 : 3);
+  out.value("support");
+  out.array(4);
+  for (const double x : patch.support) out.value(x);
+  out.value("controls");
+  out.array(2);
+  out.value(patch.nu);
+  out.value(patch.nv);
+  if (patch.has_indices) {
+    out.value("indices");
+    out.array(patch.indices.size());
+    for (const int index : patch.indices) out.value(index);
+  }
+  out.value("coefficients");
+  out.array(patch.coefficients.size());
   for (const Eigen::Vector3d& c : patch.coefficients) {
     CGAL_precondition(c.allFinite()); // JSON has no NaN
-    list.push_back({c.x(), c.y(), c.z()});
+    out.array(3);
+    for (const double x : c) out.value(x);
   }
-  return j;
 }
 
 inline std::vector<int> indices_of_json(const Json_field& j, int controls)
@@ -61,9 +71,9 @@ inline std::vector<int> indices_of_json(const Json_field& j, int controls)
   return indices;
 }
 
-// \param most_controls  of the whole grid, active or not
-inline Patch_record patch_of_json(const Json_field& j, int degree, int most_controls)
+inline Patch_record patch_of_json(const Json_field& j, int degree)
 {
+  constexpr int most_controls = std::numeric_limits<int>::max(); // active or not: they have indices
   const Json_field support = j["support"], controls = j["controls"], coefficients = j["coefficients"];
   support.require_size(4);
   controls.require_size(2);
@@ -91,6 +101,18 @@ inline Patch_record patch_of_json(const Json_field& j, int degree, int most_cont
   return patch;
 }
 
+// A short file must not take much memory: of 2^24 controls, which are 512 MB, a chart has its share, and 256 more
+// for each coefficient in the file. Of what is fitted nothing comes near to that: there are at most five leaves
+// per coefficient, with 36 controls each; and dense patches of any size are always within it.
+inline void require_memory(const Json_field& list, const std::string& what, std::uint64_t controls,
+                           std::size_t coefficients, int number_of_charts)
+{
+  const std::uint64_t most = (1 << 24) / number_of_charts + 256 * std::uint64_t(coefficients);
+  if (controls > most)
+    list.fail(what + " take " + std::to_string(controls) + " controls in memory, and "
+              + std::to_string(coefficients) + " coefficients allow for " + std::to_string(most));
+}
+
 // How the embedding of a chart is written as a list of patches, and read from one.
 template <class ChartEmbedding>
 struct Embedding_io;
@@ -109,12 +131,21 @@ struct Embedding_io<Patch_stack_embedding> {
     return list;
   }
 
-  static Patch_stack_embedding read(const Json_field& list, int degree)
+  static Patch_stack_embedding read(const Json_field& list, int degree, int number_of_charts)
   {
-    constexpr int most_controls = 1 << 22; // more would be an attack on the memory
-    std::vector<Spline_patch> patches;
+    std::vector<Patch_record> records;
+    std::uint64_t controls = 0; // of the grids with the frames that Spline_patch puts round them
+    std::size_t coefficients = 0;
     for (std::size_t i = 0; i < list.size(); ++i) {
-      Patch_record p = patch_of_json(list[i], degree, most_controls);
+      records.push_back(patch_of_json(list[i], degree));
+      const Patch_record& p = records.back();
+      controls += std::uint64_t(p.nu + 2 * degree) * std::uint64_t(p.nv + 2 * degree);
+      coefficients += p.coefficients.size();
+    }
+    require_memory(list, std::to_string(records.size()) + " patches", controls, coefficients, number_of_charts);
+
+    std::vector<Spline_patch> patches;
+    for (Patch_record& p : records) {
       if (p.has_indices && p.indices.empty()) { // "none", which a patch says with zeros
         p.indices = {0};
         p.coefficients = {Eigen::Vector3d::Zero()};
@@ -128,7 +159,6 @@ struct Embedding_io<Patch_stack_embedding> {
 template <>
 struct Embedding_io<Hierarchical_embedding> {
   static constexpr const char* advice = "Patch_stack_embedding can hold this patch";
-  static constexpr int most_base_cells = 1 << 10; // more would be an attack on the memory
 
   static int degree(const Hierarchical_embedding& e) { return e.degree(); }
 
@@ -145,19 +175,17 @@ struct Embedding_io<Hierarchical_embedding> {
   }
 
   // The patches may come in any order; those of one grid add up.
-  static Hierarchical_embedding read(const Json_field& list, int degree)
+  static Hierarchical_embedding read(const Json_field& list, int degree, int number_of_charts)
   {
     std::vector<Patch_record> patches;
     int base = std::numeric_limits<int>::max(); // cells per side of the coarsest grid
     for (std::size_t i = 0; i < list.size(); ++i) {
-      patches.push_back(patch_of_json(list[i], degree, std::numeric_limits<int>::max()));
+      patches.push_back(patch_of_json(list[i], degree));
       const Patch_record& p = patches.back();
       if (p.support != Spline_patch::Support{0, 0, 1, 1} || p.nu != p.nv)
         list[i].fail(std::string("it is no grid of equal cells of the unit square; ") + advice);
       base = std::min(base, p.nu - degree);
     }
-    if (base > most_base_cells)
-      list.fail("the coarsest grid has " + std::to_string(base) + " cells per side");
 
     std::vector<std::map<int, Eigen::Vector3d>> active(1); // per level
     for (std::size_t i = 0; i < patches.size(); ++i) {
@@ -176,14 +204,44 @@ struct Embedding_io<Hierarchical_embedding> {
       }
     }
     std::vector<Hierarchical_embedding::Level> levels;
+    std::size_t coefficients = 0;
     for (std::size_t k = 0; k < active.size(); ++k) {
+      coefficients += active[k].size();
       levels.push_back({base << k, {}, {}});
       for (const auto& [index, coefficient] : active[k]) {
         levels.back().indices.push_back(index);
         levels.back().coefficients.push_back(coefficient);
       }
     }
+    const std::uint64_t leaves = number_of_leaves(degree, levels);
+    require_memory(list, "the coarsest grid has " + std::to_string(base) + " cells per side: "
+                   + std::to_string(leaves) + " leaves", leaves * std::uint64_t((degree + 1) * (degree + 1)),
+                   coefficients, number_of_charts);
     return Hierarchical_embedding(degree, std::move(levels));
+  }
+
+  // As many as the embedding will have. A cell has four in the place of one, or more, if functions of a finer
+  // grid reach into it.
+  static std::uint64_t number_of_leaves(int degree, const std::vector<Hierarchical_embedding::Level>& levels)
+  {
+    std::uint64_t leaves = std::uint64_t(levels[0].cells) * std::uint64_t(levels[0].cells);
+    std::vector<int> divided; // cells of level k
+    for (std::size_t k = levels.size() - 1; k > 0; --k) {
+      const int n = levels[k].cells, side = n + degree;
+      std::vector<int> parents;
+      for (const int cell : divided) parents.push_back(cell / n / 2 * (n / 2) + cell % n / 2);
+      for (const int index : levels[k].indices) { // the function reaches from cell i-d, j-d to cell i,j
+        const int i = index / side, j = index % side;
+        for (int p = std::max(i - degree, 0) / 2; p <= std::min(i, n - 1) / 2; ++p)
+          for (int q = std::max(j - degree, 0) / 2; q <= std::min(j, n - 1) / 2; ++q)
+            parents.push_back(p * (n / 2) + q);
+      }
+      std::sort(parents.begin(), parents.end());
+      parents.erase(std::unique(parents.begin(), parents.end()), parents.end());
+      leaves += 3 * parents.size();
+      divided = std::move(parents);
+    }
+    return leaves;
   }
 };
 

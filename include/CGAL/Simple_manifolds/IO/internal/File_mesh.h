@@ -88,17 +88,23 @@ inline void require_finite_points(const std::string& file, const File_mesh& mesh
 }
 
 // The topology of an oriented manifold mesh, possibly with border, several components and isolated
-// vertices; errors name the file and the first offending element.
-inline Mesh_topology checked_topology(const std::string& file, const File_mesh& mesh)
+// vertices, and its opposite half-edges; errors name the file and the first offending element.
+inline Mesh_topology checked_topology(const std::string& file, const File_mesh& mesh,
+                                      std::vector<int>& opposite)
 {
   require_existing_vertices(file, mesh);
   require_finite_points(file, mesh);
-  std::vector<int> opposite;
   try {
     return topology_of_soup(mesh, opposite);
   } catch (const Topology_error& e) {
     throw Topology_error(e.code(), file + ": " + e.what(), e.element());
   }
+}
+
+inline Mesh_topology checked_topology(const std::string& file, const File_mesh& mesh)
+{
+  std::vector<int> opposite;
+  return checked_topology(file, mesh, opposite);
 }
 
 } // namespace internal

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -123,6 +124,7 @@ private:
   void read_header()
   {
     if (bytes_.substr(0, 3) != "ply" || next_line() != "ply") fail("no PLY file");
+    std::set<std::string_view> names; // of elements
     for (;;) {
       const std::string_view line = next_line();
       const std::vector<std::string_view> w = split(line);
@@ -138,8 +140,8 @@ private:
         const long long count = Text_scanner(file_, w[2], false, n).integer(w[2], "the number of elements");
         if (count < 0)
           fail("the number of " + Text_scanner::shown(w[1]) + " elements is " + std::to_string(count), n);
-        for (const Element& e : elements_) // its columns would differ in length
-          if (e.name == w[1]) fail("the element " + Text_scanner::shown(w[1]) + " comes twice", n);
+        if (!names.insert(w[1]).second) // its columns would differ in length
+          fail("the element " + Text_scanner::shown(w[1]) + " comes twice", n);
         elements_.push_back({std::string(w[1]), std::size_t(count), {}});
       } else if (w[0] == "property" && !elements_.empty() && w.size() == 5 && w[1] == "list") {
         elements_.back().properties.push_back({std::string(w[4]), type(w[2], n), type(w[3], n)});

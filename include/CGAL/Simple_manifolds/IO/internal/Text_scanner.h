@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -29,6 +30,8 @@ inline std::string file_contents(const std::string& file)
 {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::none) // e.g. a name that is too long
+    throw IO_error(Error_code::cannot_open, file, error.message());
   if (!std::filesystem::exists(status))
     throw IO_error(Error_code::cannot_open, file, "the file does not exist");
   if (!std::filesystem::is_regular_file(status))
@@ -91,13 +94,14 @@ public:
   double number(const std::string& what)
   {
     const std::string_view w = word(what);
-    const char *first = w.data() + (w[0] == '+'), *last = w.data() + w.size();
+    const bool has_plus = w.size() > 1 && w[0] == '+' && w[1] != '-'; // from_chars takes no plus
+    const char *first = w.data() + has_plus, *last = w.data() + w.size();
     double x = 0;
     const auto [end, error] = std::from_chars(first, last, x);
     if (end != last || error == std::errc::invalid_argument)
       fail(what + " is expected, found \"" + shown(w) + '"');
     if (error == std::errc::result_out_of_range) // from_chars does not say on which side
-      x = w.find("e-") != w.npos || w.find("E-") != w.npos ? 0 : std::numeric_limits<double>::infinity();
+      x = is_above_one(w) ? std::numeric_limits<double>::infinity() : 0;
     return x;
   }
 
@@ -140,6 +144,19 @@ public:
   }
 
 private:
+  // Whether a number that is far from 1 is above it: by the place of its first digit other than 0, and by its
+  // exponent, which may be beyond all integers.
+  static bool is_above_one(std::string_view w)
+  {
+    const std::size_t e = std::min(w.find_first_of("eE"), w.size()), point = std::min(w.find('.'), e);
+    const long long places = (long long)(point) - (long long)(w.find_first_of("123456789"));
+    if (e == w.size()) return places > 0;
+    long long exponent = 0;
+    const char* first = w.data() + e + (w[e + 1] == '+' ? 2 : 1);
+    const bool is_integer = std::from_chars(first, w.data() + w.size(), exponent).ec == std::errc();
+    return is_integer ? exponent > -places : w[e + 1] != '-';
+  }
+
   static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
   void skip_space(bool lines)

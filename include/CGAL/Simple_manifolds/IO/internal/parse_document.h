@@ -16,7 +16,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <ostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Simple_manifolds {
@@ -88,6 +91,103 @@ private:
   std::size_t depth_ = 0;
 };
 
+// A document that is cleared from its leaves up. The destructor of nlohmann::json takes memory for what is not
+// empty, and ends the program where there is none.
+struct Document {
+  nlohmann::json root;
+
+  ~Document() { clear(root); }
+
+  static void clear(nlohmann::json& j)
+  {
+    if (!j.is_structured()) return;
+    for (nlohmann::json& entry : j) clear(entry);
+    j.clear();
+  }
+};
+
+// Makes a document of the items that a reader of nlohmann::json finds. What such a reader makes by itself is no
+// `Document` yet when memory ends.
+class Document_builder {
+public:
+  using Json = nlohmann::json;
+
+  Document_builder(const std::string& file, const std::string& bytes, bool is_cbor)
+    : file_(file), bytes_(bytes), is_cbor_(is_cbor) {}
+
+  Json take() { return std::move(document_.root); }
+
+  bool null() { return add(nullptr); }
+  bool boolean(bool x) { return add(x); }
+  bool number_integer(Json::number_integer_t x) { return add(x); }
+  bool number_unsigned(Json::number_unsigned_t x) { return add(x); }
+  bool number_float(Json::number_float_t x, const std::string&) { return add(x); }
+  bool string(std::string& x) { return add(std::move(x)); }
+  bool binary(Json::binary_t&) { return add(nullptr); } // which no surface has
+  bool start_object(std::size_t) { return open(Json::value_t::object); }
+  bool start_array(std::size_t) { return open(Json::value_t::array); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+
+  bool key(std::string& name)
+  {
+    entry_ = &open_.back()->get_ref<Json::object_t&>()[name];
+    Document::clear(*entry_); // the key may come twice
+    return true;
+  }
+
+  bool parse_error(std::size_t byte, const std::string&, const Json::exception& e)
+  {
+    if (is_cbor_) throw IO_error(Error_code::syntax_error, file_, "no valid CBOR, byte " + std::to_string(byte));
+    if (e.id >= 400) fail("a number is out of range");
+    const auto end = bytes_.begin() + std::ptrdiff_t(std::min(byte, bytes_.size()));
+    throw IO_error(Error_code::syntax_error, file_, "no valid JSON",
+                   1 + std::size_t(std::count(bytes_.begin(), end, '\n')));
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& what) const
+  {
+    throw IO_error(Error_code::syntax_error, file_, "no valid JSON: " + what);
+  }
+
+  // Where the next item belongs.
+  Json& place()
+  {
+    if (open_.empty()) return document_.root;
+    return open_.back()->is_object() ? *entry_ : open_.back()->get_ref<Json::array_t&>().emplace_back();
+  }
+
+  template <class T>
+  bool add(T&& x)
+  {
+    place() = Json(std::forward<T>(x));
+    return true;
+  }
+
+  bool open(Json::value_t type)
+  {
+    if (open_.size() == deepest_document) fail("the items are nested too deeply");
+    Json& x = place();
+    x = Json(type);
+    open_.push_back(&x);
+    return true;
+  }
+
+  bool close()
+  {
+    open_.pop_back();
+    return true;
+  }
+
+  const std::string& file_;
+  const std::string& bytes_;
+  bool is_cbor_;
+  Document document_;
+  std::vector<Json*> open_; // arrays and objects that have begun and not ended
+  Json* entry_ = nullptr;   // of the last key
+};
+
 inline bool is_cbor_object(const std::string& bytes)
 {
   return !bytes.empty() && static_cast<unsigned char>(bytes[0]) >> 5 == 5;
@@ -96,23 +196,78 @@ inline bool is_cbor_object(const std::string& bytes)
 // Reads JSON, or CBOR where the first byte begins an object of CBOR: no text of JSON begins with it.
 inline nlohmann::json parse_document(const std::string& file, const std::string& bytes)
 {
+  using Format = nlohmann::json::input_format_t;
   const bool is_cbor = is_cbor_object(bytes);
-  try {
-    if (is_cbor) {
-      Cbor_structure(file, bytes).check();
-      return nlohmann::json::from_cbor(bytes);
-    }
-    return nlohmann::json::parse(bytes);
-  } catch (const nlohmann::json::parse_error& e) {
-    if (is_cbor)
-      throw IO_error(Error_code::syntax_error, file, "no valid CBOR, byte " + std::to_string(e.byte));
-    const auto end = bytes.begin() + std::ptrdiff_t(std::min(e.byte, bytes.size()));
-    throw IO_error(Error_code::syntax_error, file, "no valid JSON",
-                   1 + std::size_t(std::count(bytes.begin(), end, '\n')));
-  } catch (const nlohmann::json::exception&) {
-    throw IO_error(Error_code::syntax_error, file, "no valid JSON: a number is out of range");
-  }
+  if (is_cbor) Cbor_structure(file, bytes).check();
+  Document_builder builder(file, bytes, is_cbor);
+  nlohmann::json::sax_parse(bytes, &builder, is_cbor ? Format::cbor : Format::json);
+  return builder.take();
 }
+
+// Writes a document item by item, as JSON or CBOR, with the bytes that nlohmann::json has for the whole. Here it
+// gets numbers and texts only, which need no memory to be destroyed.
+class Document_writer {
+public:
+  Document_writer(std::ostream& out, bool is_cbor) : out_(out), is_cbor_(is_cbor) {}
+
+  // The next `entries` items are those of the array.
+  void array(std::size_t entries) { open(entries, entries, '['); }
+  // The next `entries` pairs of a key and an item are those of the object.
+  void object(std::size_t entries) { open(entries, 2 * entries, '{'); }
+
+  void value(const nlohmann::json& number_or_text)
+  {
+    separate();
+    if (is_cbor_) nlohmann::json::to_cbor(number_or_text, out_);
+    else out_ << number_or_text;
+    close();
+  }
+
+  void entry(const char* key, const nlohmann::json& number_or_text)
+  {
+    value(key);
+    value(number_or_text);
+  }
+
+private:
+  struct Level {
+    char bracket;
+    std::size_t items, left; // of an object two for each entry
+  };
+
+  void open(std::size_t entries, std::size_t items, char bracket)
+  {
+    separate();
+    if (is_cbor_) {
+      std::vector<std::uint8_t> head = nlohmann::json::to_cbor(entries); // as a number, but for the first bits
+      head[0] |= bracket == '{' ? 0xa0 : 0x80;
+      for (const std::uint8_t byte : head) out_.put(char(byte));
+    } else {
+      out_.put(bracket);
+    }
+    levels_.push_back({bracket, items, items});
+    close();
+  }
+
+  void separate()
+  {
+    if (levels_.empty()) return;
+    Level& level = levels_.back();
+    if (!is_cbor_ && level.left < level.items)
+      out_.put(level.bracket == '{' && level.left % 2 == 1 ? ':' : ',');
+    --level.left;
+  }
+
+  void close()
+  {
+    for (; !levels_.empty() && levels_.back().left == 0; levels_.pop_back())
+      if (!is_cbor_) out_.put(levels_.back().bracket == '{' ? '}' : ']');
+  }
+
+  std::ostream& out_;
+  bool is_cbor_;
+  std::vector<Level> levels_; // that have begun and not ended
+};
 
 } // namespace internal
 } // namespace Simple_manifolds
