@@ -20,6 +20,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <variant>
@@ -128,13 +129,22 @@ SM::Charted_mesh mesh_of(const SM::Manifold_surface<Atlas, ChartEmbedding, Bump>
   return mesh;
 }
 
-/// The bump of a file is a type; these are the ones that fit_mesh writes.
+/// The bump of a file is a type; these are the ones that fit_mesh writes. Its surfaces are hierarchical, and their
+/// fine grids take little memory as such; those of the paper's method are stacks of patches.
 template <int Smoothness>
 SM::Charted_mesh mesh_of_surface(const Request& request)
 {
   using Bump = SM::Smoothstep_bump<Smoothness>;
-  const auto any = SM::read_any_surface<Bump, SM::Patch_stack_embedding>(request.input);
-  return std::visit([&](const auto& surface) { return mesh_of(surface, request); }, any);
+  const auto mesh = [&](const auto& any) {
+    return std::visit([&](const auto& surface) { return mesh_of(surface, request); }, any);
+  };
+  std::optional<decltype(SM::read_any_surface<Bump>(request.input))> hierarchical;
+  try {
+    hierarchical = SM::read_any_surface<Bump>(request.input);
+  } catch (const SM::IO_error&) { // it may be a stack
+  }
+  return hierarchical ? mesh(*hierarchical)
+                      : mesh(SM::read_any_surface<Bump, SM::Patch_stack_embedding>(request.input));
 }
 
 SM::Charted_mesh mesh_of_file(const Request& request)

@@ -142,10 +142,11 @@ inline Surface_header read_surface_header(const std::string& file)
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// Reads a surface of a known type, from JSON or CBOR. Its controls may take 512 MB of memory, and 8 kB for each
-/// coefficient in the file: far more than what is fitted needs, but a short file cannot fill the memory.
+/// coefficient in the file: more than fitted surfaces need, but a short file cannot fill the memory.
 /// \tparam Surface  a `Manifold_surface` with `Hierarchical_embedding`, which takes the files whose patches
 ///                  are grids of the whole unit square, each 1, 2, 4, ... times as fine as the coarsest, or
-///                  with `Patch_stack_embedding`, which takes all files
+///                  with `Patch_stack_embedding`, which takes all files, but holds all controls of a grid, so
+///                  that those of very fine hierarchies are too large for it
 /// \throw IO_error when the file is missing, no surface, damaged, of another atlas, bump or kind of patch, or asks
 ///                  for too much memory
 template <class Surface>

@@ -102,8 +102,9 @@ inline Patch_record patch_of_json(const Json_field& j, int degree)
 }
 
 // A short file must not take much memory: of 2^24 controls, which are 512 MB, a chart has its share, and 256 more
-// for each coefficient in the file. Of what is fitted nothing comes near to that: there are at most five leaves
-// per coefficient, with 36 controls each; and dense patches of any size are always within it.
+// for each coefficient in the file. What is fitted does not come near to that: a hierarchy has at most five leaves
+// per coefficient, of 36 controls each, and a full patch with its frame fewer than eight controls. Too large are
+// hierarchies with very fine grids that are read as stacks of patches.
 inline void require_memory(const Json_field& list, const std::string& what, std::uint64_t controls,
                            std::size_t coefficients, int number_of_charts)
 {
