@@ -12,6 +12,8 @@
 #include <CGAL/Simple_manifolds/embedding/internal/Surface_box_tree.h>
 #include <CGAL/Simple_manifolds/embedding/internal/approach.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
