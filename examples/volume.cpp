@@ -20,8 +20,8 @@ int main(int argc, char** argv)
   try {
     Mesh mesh;
     SM::read_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/hand.off"), mesh);
-    const auto map = SM::map_to_sphere(mesh);
-    const auto surface = SM::fit_surface(map, SM::parameters::max_error(1e-2));
+    const auto map = SM::map_to_sphere<Tag>(mesh);
+    const auto surface = SM::fit_surface<Tag>(map, SM::parameters::max_error(1e-2));
 
     //! [integrals]
     const auto np = SM::parameters::relative_error(1e-5); // more digits cost more time
