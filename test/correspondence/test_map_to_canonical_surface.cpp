@@ -283,10 +283,11 @@ TEST_CASE("Borders are closed virtually on demand: holes of a disk, and all of a
   CHECK(disk.is_virtual(disk.number_of_faces() - 1));
 
   // The longest loop stays open, whatever the unit of length.
-  for (const double unit : {1e-200, 1., 1e200}) {
+  for (const double unit : {1e-200, -1e-200, 1., 1e200, -1e200}) { // negative: the outer loop comes first
+    const bool is_inner_first = unit > 0;
     Triangle_mesh annulus;
     for (int i = 0; i < 20; ++i)
-      annulus.points.push_back(unit * (i < 10 ? 1 : 3)
+      annulus.points.push_back(std::abs(unit) * ((i < 10) == is_inner_first ? 1 : 3)
                                * Eigen::Vector3d(std::cos(CGAL_PI * i / 5), std::sin(CGAL_PI * i / 5), 0));
     for (int i = 0; i < 10; ++i) {
       const int j = (i + 1) % 10;
@@ -297,7 +298,7 @@ TEST_CASE("Borders are closed virtually on demand: holes of a disk, and all of a
     CHECK(closed.number_of_virtual_faces() == 10);
     for (std::size_t f = 20; f < 30; ++f)
       for (const int v : closed.face(f))
-        CHECK((v < 10 || v == 20)); // the inner loop, or the apex
+        CHECK(((v < 10) == is_inner_first || v == 20)); // the inner loop, or the apex
   }
 
   Random random(8);

@@ -284,6 +284,14 @@ TEST_CASE("polygons are cut without doubling an edge")
         if (inner > 0 && forbidden < 0)
           CHECK(positive == n - 2);
       }
+    // The triangle at the corner (10, 0) is of the best shape of all, but the border enters it.
+    std::vector<Eigen::Vector3d> jagged = {{0, 0, 0}, {10, 0, 0}, {5, 8, 0}};
+    for (int i = 1; i < 200; ++i)
+      jagged.emplace_back(5 + 0.002 * i * (i % 2 ? 1 : 0.5), 8 - 0.035 * i, 0);
+    const auto pieces = internal::triangulate_polygon(jagged, [](int, int) { return true; });
+    CHECK(pieces.size() == jagged.size() - 2);
+    CHECK(std::all_of(pieces.begin(), pieces.end(), [&](const Triangle& t) {
+      return (jagged[t[1]] - jagged[t[0]]).cross(jagged[t[2]] - jagged[t[0]]).z() > 0; }));
     std::vector<Eigen::Vector3d> line(300, Eigen::Vector3d(0, 0, 0));
     CHECK(internal::triangulate_polygon(line, [](int, int) { return true; }).size() == 298);
     CHECK(internal::triangulate_polygon(line, [](int, int) { return false; }).empty());
