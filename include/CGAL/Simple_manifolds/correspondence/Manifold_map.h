@@ -12,9 +12,9 @@
 #include <CGAL/Simple_manifolds/correspondence/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/Point_locator.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/bounding_cube.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/unit_scale.h>
 
 #include <CGAL/assertions.h>
 

@@ -10,9 +10,9 @@
 
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/bounding_cube.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/domain_geometry.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/unit_scale.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/variation.h>
 
 #include <CGAL/assertions.h>

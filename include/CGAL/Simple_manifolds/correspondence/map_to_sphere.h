@@ -65,8 +65,8 @@ Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
 ///     \cgalParamDefault{0.3} \cgalParamNEnd
 ///   \cgalParamNBegin{area_floor} \cgalParamDescription{share of uniform area in the target areas, in (0,1]}
 ///     \cgalParamDefault{0.05} \cgalParamNEnd
-///   \cgalParamNBegin{vertex_weight_map} \cgalParamDescription{relative area wanted in the domain, >= 0: a face takes
-///     its own area times the mean weight of its corners} \cgalParamDefault{all 1} \cgalParamNEnd
+///   \cgalParamNBegin{vertex_weight_map} \cgalParamDescription{relative area wanted in the domain, >= 0 and finite: a face
+///     takes its own area times the mean weight of its corners; only the ratios of the weights count} \cgalParamDefault{all 1} \cgalParamNEnd
 ///   \cgalParamNBegin{landmarks} \cgalParamDescription{a range of `Landmark`: vertices and the domain points that
 ///     they are drawn to} \cgalParamNEnd
 ///   \cgalParamNBegin{close_borders} \cgalParamDescription{the border loops to close virtually, see

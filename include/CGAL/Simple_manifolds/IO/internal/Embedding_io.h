@@ -8,8 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_EMBEDDING_IO_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_EMBEDDING_IO_H
 
+#include <CGAL/Simple_manifolds/IO/internal/Document_writer.h>
 #include <CGAL/Simple_manifolds/IO/internal/Json_field.h>
-#include <CGAL/Simple_manifolds/IO/internal/parse_document.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
 

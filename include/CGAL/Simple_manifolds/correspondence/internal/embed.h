@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_EMBED_H
 
 #include <CGAL/Simple_manifolds/correspondence/internal/Coarse_to_fine_embedding.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/bounding_cube.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -45,24 +46,6 @@ inline std::vector<int> morton_order(const std::vector<Eigen::Vector3d>& points)
   for (std::size_t i = 0; i < order.size(); ++i)
     order[i] = keys[i].second;
   return order;
-}
-
-// The points in the unit cube: the cost of a collapse and the areas need no more, and coordinates of any
-// size are harmless.
-inline std::vector<Eigen::Vector3d> normalized_points(const std::vector<Eigen::Vector3d>& points)
-{
-  Eigen::Vector3d low = points[0], high = points[0];
-  for (const auto& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const Eigen::Vector3d half = high / 2 - low / 2; // the difference itself may overflow
-  const double extent = half.maxCoeff();
-  std::vector<Eigen::Vector3d> result(points.size(), Eigen::Vector3d(0, 0, 0));
-  if (extent > 0)
-    for (std::size_t v = 0; v < points.size(); ++v)
-      result[v] = (points[v] / 2 - low / 2) / extent;
-  return result;
 }
 
 // A closed triangulated surface that is to be embedded, and what is wanted of it.

@@ -259,7 +259,7 @@ private:
 ///     `SimpleManifoldsVisitor` passed by `std::ref`} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throw Topology_error, Geometry_error  as `map_to_canonical_surface()`
-/// \throw Partition_error  when a step fails
+/// \throw Partition_error  when a step fails, or a vertex of a closed mesh has more than 2000 neighbours
 /// \throw Numeric_error  when the result is not one to one, or double precision does not suffice
 template <class FaceListGraph, class NamedParameters = parameters::Default_named_parameters>
 Any_map map_by_partition(const FaceListGraph& mesh, const NamedParameters& np = parameters::default_values())
