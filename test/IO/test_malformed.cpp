@@ -398,6 +398,7 @@ TEST_CASE("unusual meshes are taken as they are")
   Polygons inward = tetrahedron;
   for (auto& face : inward) std::swap(face[1], face[2]);
   const std::string points = "OFF\n4 4 0\n" + four, faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  const std::string isolated = "OFF\n7 4 0\n" + four + "9 9 9\n1e300 9 9\n-9 9 9\n" + faces;
   const auto crlf = [](const std::string& text) {
     std::string s;
     for (char c : text) s += c == '\n' ? std::string("\r\n") : std::string(1, c);
@@ -413,7 +414,7 @@ TEST_CASE("unusual meshes are taken as they are")
           crlf("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"), 4, 0,
           false},
          {"inward.off", points + "3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n", 4, 0, true},
-         {"isolated.off", "OFF\n7 4 0\n" + four + "9 9 9\n1e300 9 9\n-9 9 9\n" + faces, 4, 3, false},
+         {"isolated.off", isolated, 4, 3, false},
          {"comment behind.off", points + faces + "# 3 1 2 3\n\n", 4, 0, false},
          {"quadrilateral back to back.off", off(4, {{0, 1, 2, 3}, {3, 2, 1, 0}}), 2, 0, false}}) {
     INFO(g.name);

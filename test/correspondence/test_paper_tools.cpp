@@ -23,7 +23,7 @@ constexpr int free_face = -1;
 
 auto free_regions(const Mesh& mesh)
 {
-  const auto region = get(CGAL::dynamic_face_property_t<int>(), mesh);
+  auto region = get(CGAL::dynamic_face_property_t<int>(), mesh);
   for (const Face f : faces(mesh))
     put(region, f, free_face);
   return region;

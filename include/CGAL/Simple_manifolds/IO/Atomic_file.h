@@ -40,7 +40,7 @@ inline std::filesystem::path behind_links(std::filesystem::path path)
 inline std::filesystem::path writable_path(const std::string& file)
 {
   if (file.empty()) throw IO_error(Error_code::cannot_write, "\"\"", "the name of a file is empty");
-  const std::filesystem::path path = behind_links(file);
+  std::filesystem::path path = behind_links(file);
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::none) // e.g. links in a circle

@@ -135,7 +135,7 @@ private:
   {
     sum_.assign((cells + 1) * (cells + 1), 0);
     // rounded: a point in the middle of a cell stays away from the borders of the tiles
-    const auto cell = [](double u) { return static_cast<int>(cells * u + 0.5) % cells; };
+    const auto cell = [](double u) { return static_cast<int>(std::lround(cells * u)) % cells; };
     for (const auto& p : points)
       ++sum_[index(cell(p[0]) + 1, cell(p[1]) + 1)];
     for (int j = 1; j <= cells; ++j)
