@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <variant>
 
 namespace SM = CGAL::Simple_manifolds;
@@ -31,7 +32,10 @@ std::map<std::array<int, 3>, std::size_t> faces_per_colour(const Mesh& mesh)
 
 TEST_CASE("a map is drawn as mesh and canonical surface in the colours of the tiles")
 {
-  const auto [file, euler, tiles] = GENERATE(table<std::string, int, std::size_t>(
+  std::string file;
+  int euler;
+  std::size_t tiles;
+  std::tie(file, euler, tiles) = GENERATE(table<std::string, int, std::size_t>(
     {{"hand.off", 4, 6}, {"knot1.off", 0, 9}, {"three_peaks.off", 2, 1}}));
   CAPTURE(file);
   Mesh input;
