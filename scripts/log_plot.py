@@ -17,6 +17,10 @@ def text(x, y, what, anchor="middle"):
     return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}">{what}</text>'
 
 
+def power(decade):
+    return f"{10**decade}" if 0 <= decade <= 3 else f"1e{decade}"
+
+
 def dashes(pattern):
     return f' stroke-dasharray="{pattern}"' if pattern else ""
 
@@ -39,9 +43,9 @@ def panel(left, top, title, curves, methods, x_range, y_range):
                 else:
                     yield line(left, y(value), left + WIDTH, y(value), colour)
             if is_x:
-                yield text(x(10.0**decade), top + HEIGHT + 14, f"{10**decade}")
+                yield text(x(10.0**decade), top + HEIGHT + 14, power(decade))
             else:
-                yield text(left - 4, y(10.0**decade) + 4, f"1e{decade}" if decade < 0 else f"{10**decade}", "end")
+                yield text(left - 4, y(10.0**decade) + 4, power(decade), "end")
     for name, _, colour, pattern in methods:
         points = curves.get(name, [])
         places = " ".join(f"{x(a):.1f},{y(b):.1f}" for a, b in points)
