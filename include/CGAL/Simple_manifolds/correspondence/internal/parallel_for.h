@@ -15,11 +15,54 @@
 #include <tbb/parallel_for.h>
 #endif
 
+#ifdef CGAL_SIMPLE_MANIFOLDS_USE_STD_THREADS
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+#endif
+
 #include <type_traits>
 
 namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
+
+#ifdef CGAL_SIMPLE_MANIFOLDS_USE_STD_THREADS
+// In place of TBB for the thread sanitizer, which cannot look into TBB's library: there it sees races where TBB
+// synchronises, and what hides them would hide ours. Relaxed, since the counter must not order the pieces.
+template <class F>
+void run_pieces(int begin, int end, int grain, const F& f)
+{
+  std::atomic<int> next(begin);
+  std::exception_ptr error;
+  std::mutex mutex;
+  const auto work = [&] {
+    try {
+      for (int first; (first = next.fetch_add(grain, std::memory_order_relaxed)) < end;)
+        f(first, (std::min)(first + grain, end));
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      error = std::current_exception();
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 4; ++k)
+    threads.emplace_back(work);
+  for (std::thread& t : threads)
+    t.join();
+  if (error) std::rethrow_exception(error);
+}
+#elif defined(CGAL_LINKED_WITH_TBB)
+template <class F>
+void run_pieces(int begin, int end, int grain, const F& f)
+{
+  tbb::parallel_for(tbb::blocked_range<int>(begin, end, grain),
+                    [&](const tbb::blocked_range<int>& r) { f(r.begin(), r.end()); }, tbb::simple_partitioner());
+}
+#endif
 
 // Calls f(first, last) for pieces that partition [begin,end). The pieces may run at the same time
 // under Parallel_tag, so f must give the same result in any order: then it does for any number of
@@ -30,8 +73,7 @@ void parallel_for(int begin, int end, const F& f)
   constexpr int grain = 1024;
 #ifdef CGAL_LINKED_WITH_TBB
   if (std::is_convertible<ConcurrencyTag, Parallel_tag>::value && end - begin > 2 * grain) {
-    tbb::parallel_for(tbb::blocked_range<int>(begin, end, grain),
-                      [&](const tbb::blocked_range<int>& r) { f(r.begin(), r.end()); });
+    run_pieces(begin, end, grain, f);
     return;
   }
 #else
@@ -49,10 +91,10 @@ void parallel_tasks(int count, const F& f)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if (std::is_convertible<ConcurrencyTag, Parallel_tag>::value && count > 1) {
-    tbb::parallel_for(tbb::blocked_range<int>(0, count, 1), [&](const tbb::blocked_range<int>& r) {
-      for (int k = r.begin(); k < r.end(); ++k)
+    run_pieces(0, count, 1, [&](int first, int last) {
+      for (int k = first; k < last; ++k)
         f(k);
-    }, tbb::simple_partitioner());
+    });
     return;
   }
 #else
