@@ -36,7 +36,7 @@ void require_outputs(const Command_line& options)
   for (const char* name : {"output", "metrics", "report"}) {
     if (!options.has(name)) continue;
     const std::string file = options.get<std::string>(name);
-    SM::Atomic_file{file}; // throws, or leaves no trace
+    { const SM::Atomic_file attempt(file); } // throws, or leaves no trace
     require_not_input(options, file);
     for (const std::string& other : outputs)
       if (is_same_file(file, other))
