@@ -186,6 +186,9 @@ TEST_CASE("A map is the same for any number of threads and for any run", "[map]"
   const Mesh torus = read("knot1.off");
   CHECK(SM::map_to_torus(torus).domain_points()
         == SM::map_to_torus<CGAL::Parallel_if_available_tag>(torus).domain_points());
+  const Mesh disk = read("lion-head.off");
+  CHECK(SM::map_to_plane(disk).domain_points()
+        == SM::map_to_plane<CGAL::Parallel_if_available_tag>(disk).domain_points());
 }
 
 TEST_CASE("Energy, lambda, area floor and effort do what they say", "[map]")
