@@ -96,7 +96,8 @@ public:
       if (map.is_virtual(f))
         continue;
       const SM::Triangle& t = map.face(f);
-      const Eigen::Vector3d a = map.point(t[0]), cross = (map.point(t[1]) - a).cross(map.point(t[2]) - a);
+      const Eigen::Vector3d& a = map.point(t[0]);
+      const Eigen::Vector3d cross = (map.point(t[1]) - a).cross(map.point(t[2]) - a);
       if (!(cross.norm() > 0))
         continue;
       for (int k = 0; k < 3; ++k) {
@@ -184,7 +185,7 @@ void measure_fit(const Map& map, const Test_points<Map>& points, Row row, const 
     row.distance.add(SM::internal::closest_point_distance(surface, x.domain, x.position, 10) / map.diagonal(),
                      x.weight);
     const Eigen::Vector3d n = SM::normal(jet);
-    if (n == n)
+    if (!n.hasNaN())
       angle.add(std::atan2(n.cross(x.normal).norm(), n.dot(x.normal)) * 180 / 3.14159265358979324, x.weight);
   }
   row.normal = angle.rms();
@@ -326,9 +327,10 @@ int run(int argc, char** argv)
 #endif
 
   Table table(output);
+  const auto mesh_file = [&](const std::string& name) { return data + "/meshes/" + name + ".off"; };
   for (const std::string& name : names) {
     Mesh mesh;
-    SM::read_mesh(data + "/meshes/" + name + ".off", mesh);
+    SM::read_mesh(mesh_file(name), mesh);
     PMP::triangulate_faces(mesh);
     measure_all(name, mesh, tolerances, max_controls, table);
   }

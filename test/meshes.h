@@ -11,7 +11,7 @@
 /// \throw std::runtime_error if the file is missing, so that no test passes without its input
 inline std::string cgal_mesh(const std::string& name)
 {
-  const std::string path = std::string(SIMPLE_MANIFOLDS_CGAL_DATA) + "/meshes/" + name;
+  std::string path = std::string(SIMPLE_MANIFOLDS_CGAL_DATA) + "/meshes/" + name;
   if (!std::ifstream(path)) {
     throw std::runtime_error("no mesh " + path + ": scripts/setup fetches CGAL's data");
   }

@@ -300,9 +300,10 @@ TEST_CASE("a header that announces too much is refused at once")
   CHECK(refused(folder.write("c.off", "OFF\n-3 1 0\n0 0 0\n")) == Error_code::syntax_error);
   const std::string head = "ply\nformat ascii 1.0\nelement vertex ", tail = "\nproperty float x\nproperty float y\n"
     "property float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n";
+  const auto ply = [&](const std::string& vertices, const std::string& rows) { return head + vertices + tail + rows; };
   for (const char* n : {"1000000000", "9223372036854775807", "99999999999999999999", "-1"})
-    CHECK(refused(folder.write("a.ply", head + n + tail + "0 0 0\n3 0 0 0\n")) == Error_code::syntax_error);
-  CHECK(refused(folder.write("b.ply", head + "1" + tail + "0 0 0\n4000000000 0 0 0\n")) == Error_code::syntax_error);
+    CHECK(refused(folder.write("a.ply", ply(n, "0 0 0\n3 0 0 0\n"))) == Error_code::syntax_error);
+  CHECK(refused(folder.write("b.ply", ply("1", "0 0 0\n4000000000 0 0 0\n"))) == Error_code::syntax_error);
   std::string stl = binary_stl();
   stl[82] = '\x7f';
   CHECK(refused(folder.write("a.stl", stl)) == Error_code::syntax_error);

@@ -48,7 +48,7 @@ TEST_CASE("the error of a vertex is its distance from the mesh over the diagonal
 {
   // The octahedron-like mesh is mapped to the sphere by its own directions.
   const SM::Tile_grid<SM::Sphere_atlas> grid(1);
-  const auto points = grid.domain_points();
+  const auto& points = grid.domain_points();
   const SM::Manifold_map<SM::Sphere_atlas> cube(points, SM::triangulate(grid, points), points, points.size());
   const Temporary_folder folder;
   const auto sphere = ellipsoid(Eigen::Vector3d(1, 1, 1));

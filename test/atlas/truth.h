@@ -63,7 +63,8 @@ inline Reals<2> sphere_coordinates(int c, const Reals<3>& p)
 // Whether the open chart contains p: the sign of Y, and |Z| < sin(3 pi/8).
 inline bool sphere_contains(int c, const Reals<3>& p)
 {
-  const Real Y = p[c / 2 == 0 ? 1 : c / 2 == 1 ? 0 : 2], Z = p[c / 2 == 0 ? 2 : c / 2 == 1 ? 1 : 0];
+  const Real& Y = p[c / 2 == 0 ? 1 : c / 2 == 1 ? 0 : 2];
+  const Real& Z = p[c / 2 == 0 ? 2 : c / 2 == 1 ? 1 : 0];
   return (c % 2 == 0 ? Y > 0 : Y < 0) && abs(Z) < sin(3 * pi / 8);
 }
 

@@ -21,7 +21,6 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-using Catch::Matchers::ContainsSubstring;
 
 template <class Function>
 Error error_of(Function&& function)

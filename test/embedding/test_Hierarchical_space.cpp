@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-namespace SM = CGAL::Simple_manifolds;
 namespace internal = CGAL::Simple_manifolds::internal;
 using Eigen::Vector2d;
 using Eigen::Vector3d;

@@ -122,7 +122,7 @@ TEST_CASE("Kinks are no excuse: area and volume of a polyhedron")
   double area = 0, volume = 0;
   for(std::size_t f = 0; f < map.number_of_faces(); ++f) {
     const SM::Triangle t = map.face(f);
-    const Vector3d a = map.point(t[0]), b = map.point(t[1]), c = map.point(t[2]);
+    const Vector3d &a = map.point(t[0]), &b = map.point(t[1]), &c = map.point(t[2]);
     area += (b - a).cross(c - a).norm() / 2;
     volume += a.dot(b.cross(c)) / 6;
   }

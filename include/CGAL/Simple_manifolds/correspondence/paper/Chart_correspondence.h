@@ -120,7 +120,7 @@ public:
       for (const auto& q : charts) {
         if ((q.chart == best) != is_best)
           continue;
-        const std::optional<Location> location = to_mesh(q.chart, q.uv);
+        std::optional<Location> location = to_mesh(q.chart, q.uv);
         if (location && default_chart_[location->face] == q.chart)
           return location;
         if (!other)
