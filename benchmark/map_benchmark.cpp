@@ -243,7 +243,7 @@ void measure_parameterizer(const std::string& name, Mesh mesh, const std::string
   r.cpu = cpu_seconds() - cpu;
   r.bytes_per_face = memory.bytes() / static_cast<double>(r.faces);
   if (error != SMP::OK) {
-    std::cout << name << ", " << method << ": " << SMP::get_error_message(error) << std::endl;
+    std::cout << name << ", " << method << ": CGAL's Error_code " << error << std::endl;
     return;
   }
   add_flat(r, mesh, [](Mesh::Vertex_index v) { return static_cast<int>(v); },
@@ -303,7 +303,7 @@ void measure_orbifold(const std::string& name, Mesh mesh, Table& table)
   r.cpu = cpu_seconds() - cpu;
   r.bytes_per_face = memory.bytes() / static_cast<double>(r.faces);
   if (error != SMP::OK) {
-    std::cout << name << ", " << r.method << ": " << SMP::get_error_message(error) << std::endl;
+    std::cout << name << ", " << r.method << ": CGAL's Error_code " << error << std::endl;
     return;
   }
   add_flat(r, cut, [&](Seam_vertex v) { return index.at(v); },

@@ -13,7 +13,6 @@
 
 #include <initializer_list>
 #include <iostream>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -105,17 +104,16 @@ private:
     const int threads = get<int>("threads"); // the memory for very many would be asked for at once
     require(threads >= 1 && threads <= 1024, "threads", "from 1 to 1024");
 #ifdef CGAL_LINKED_WITH_TBB
-    threads_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                     std::size_t(threads));
+    // For the whole run, and never destroyed: that would start threads, which aborts when memory is short.
+    static const auto* const control
+      = new tbb::global_control(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+    (void)control;
 #endif
   }
 
   std::string synopsis_, summary_;
   po::options_description options_;
   po::variables_map values_;
-#ifdef CGAL_LINKED_WITH_TBB
-  std::unique_ptr<tbb::global_control> threads_;
-#endif
 };
 
 } // namespace tools

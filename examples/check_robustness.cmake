@@ -142,41 +142,47 @@ if(PART STREQUAL signals)
 endif()
 
 # ---- Too little memory --------------------------------------------------------------------------------
-# Of map_mesh: OpenBLAS, which factors the equations of fit_mesh, waits for ever when memory is refused.
-if(PART STREQUAL memory)
-  # The least, in steps of 10 MB, that the program needs to be loaded.
-  set(least 0)
+# The least, in steps of 10 MB, that PROGRAM needs to be loaded; 0 when its memory cannot be limited.
+function(least_memory program result)
   foreach(megabytes RANGE 10 1000 10)
     math(EXPR kilobytes "${megabytes} * 1024")
-    execute_process(COMMAND sh -c "ulimit -v ${kilobytes} && exec \"$0\" --version" ${MAP_MESH}
-      RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
-    if(result EQUAL 0)
-      set(least ${megabytes})
-      break()
+    execute_process(COMMAND sh -c "ulimit -v ${kilobytes} && exec \"$0\" --version" ${program}
+      RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+    if(status EQUAL 0)
+      set(${result} ${megabytes} PARENT_SCOPE)
+      return()
     endif()
   endforeach()
+  set(${result} 0 PARENT_SCOPE)
+endfunction()
+
+# Runs PROGRAM on ARGN with MORE megabytes beyond the least: it refuses all of REFUSED, it succeeds or refuses with the
+# others. What hangs is killed.
+function(limit_memory name program refused more)
+  least_memory(${program} least)
   if(least EQUAL 0)
-    message("skipped: the memory of the program cannot be limited, as under sanitizers")
+    message("skipped: the memory of ${name} cannot be limited, as under sanitizers")
     return()
   endif()
-  set(refused 0)
-  foreach(more 10 20 30 50 80 120)
-    math(EXPR kilobytes "(${least} + ${more}) * 1024")
+  foreach(megabytes ${refused} ${more})
+    math(EXPR kilobytes "(${least} + ${megabytes}) * 1024")
     file(REMOVE_RECURSE ${WORK}/out)
     file(MAKE_DIRECTORY ${WORK}/out)
-    execute_process(COMMAND sh -c "ulimit -v ${kilobytes} && exec \"$@\"" sh ${MAP_MESH}
-        ${MESHES}/armadillo.off -o ${WORK}/out/map.ply --metrics ${WORK}/out/metrics.json --threads 1 --quiet
-      RESULT_VARIABLE result ERROR_VARIABLE err)
-    if(result EQUAL 4 AND err STREQUAL "map_mesh: the memory is not sufficient\n")
-      math(EXPR refused "${refused} + 1")
+    execute_process(COMMAND sh -c "ulimit -v ${kilobytes} && exec \"$@\"" sh ${program} ${ARGN} --threads 1 --quiet
+      RESULT_VARIABLE result ERROR_VARIABLE err TIMEOUT 120)
+    if(result EQUAL 4 AND err STREQUAL "${name}: the memory is not sufficient\n")
       holds(out)
-    elseif(NOT result EQUAL 0)
-      message(SEND_ERROR "map_mesh with ${least} + ${more} MB: status ${result}\n${err}")
+    elseif(megabytes IN_LIST refused OR NOT result EQUAL 0)
+      message(SEND_ERROR "${name} with ${least} + ${megabytes} MB: status ${result}\n${err}")
     endif()
   endforeach()
-  if(refused EQUAL 0)
-    message(SEND_ERROR "map_mesh has never had too little memory")
-  endif()
+endfunction()
+
+if(PART STREQUAL memory)
+  limit_memory(map_mesh ${MAP_MESH} "5;10" "20;30;50;80;120" ${MESHES}/armadillo.off
+    -o ${WORK}/out/map.ply --metrics ${WORK}/out/metrics.json)
+  limit_memory(fit_mesh ${FIT_MESH} "2;4;6;10;30;80;120" "160;200;220;240;260;300" ${MESHES}/knot1.off
+    -o ${WORK}/out/fit)
 endif()
 
 # ---- The same bytes, however many threads, in every run ------------------------------------------------

@@ -159,7 +159,7 @@ inline Triangle_mesh bipyramid(int n)
   return mesh;
 }
 
-// A closed tube of `rings` rings of k vertices, length over radius 2 rings / k.
+// A closed tube of `rings` rings of k vertices, length over radius `rings`.
 inline Triangle_mesh tube(int rings, int k)
 {
   Triangle_mesh mesh;

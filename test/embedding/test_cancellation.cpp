@@ -1,9 +1,9 @@
-// Whatever takes a visitor is cancelled at every single step: the visitor's exception comes out, what the
+// Mappers, functions of maps and fits are cancelled at every single step: the visitor's exception comes out, what the
 // caller has handed in is as it was, and the next call works as if nothing had happened.
 
 #include "catch.h"
 
-#include "correspondence/random_surfaces.h"
+#include "watched_mesh.h"
 
 #include <CGAL/Simple_manifolds/correspondence/balance.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
@@ -12,22 +12,16 @@
 #include <CGAL/Simple_manifolds/correspondence/map_to_torus.h>
 #include <CGAL/Simple_manifolds/correspondence/paper/map_by_partition.h>
 #include <CGAL/Simple_manifolds/correspondence/refine.h>
+#include <CGAL/Simple_manifolds/embedding/fit_mesh_surface.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
 #include <CGAL/Simple_manifolds/embedding/paper/fit_patch_surface.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
 #include <functional>
-#include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
 namespace SM = CGAL::Simple_manifolds;
 namespace params = SM::parameters;
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
 
 namespace {
 
@@ -45,75 +39,6 @@ struct Impatient_visitor : SM::Default_visitor {
   }
   int last, steps = 0;
 };
-
-/// A mesh with data of its own, and whether all of it is as it was.
-template <class Domain_point>
-struct Watched_mesh {
-  Mesh mesh, copy;
-  Mesh::Property_map<Mesh::Vertex_index, Domain_point> domain;
-  Mesh::Property_map<Mesh::Face_index, int> number;
-  std::vector<std::string> names;
-
-  explicit Watched_mesh(const Triangle_mesh& t)
-  {
-    std::vector<Mesh::Vertex_index> v;
-    for (const auto& p : t.points) v.push_back(mesh.add_vertex(Point(p[0], p[1], p[2])));
-    for (const auto& f : t.triangles) mesh.add_face(v[f[0]], v[f[1]], v[f[2]]);
-    number = mesh.add_property_map<Mesh::Face_index, int>("f:number", -1).first;
-    for (const auto f : mesh.faces()) number[f] = int(f) * int(f);
-    domain = mesh.add_property_map<Mesh::Vertex_index, Domain_point>("v:domain").first;
-    for (const auto w : mesh.vertices()) domain[w] = Domain_point::Constant(double(w));
-    copy = mesh;
-    names = property_names();
-  }
-
-  std::vector<std::string> property_names() const
-  {
-    std::vector<std::string> all = mesh.properties<Mesh::Vertex_index>();
-    for (const auto& more : {mesh.properties<Mesh::Halfedge_index>(), mesh.properties<Mesh::Edge_index>(),
-                             mesh.properties<Mesh::Face_index>()})
-      all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-
-  bool is_unchanged() const
-  {
-    bool same = mesh.number_of_vertices() == copy.number_of_vertices() && !mesh.has_garbage()
-             && mesh.number_of_faces() == copy.number_of_faces() && property_names() == names;
-    for (const auto h : copy.halfedges())
-      same = same && mesh.next(h) == copy.next(h) && mesh.target(h) == copy.target(h)
-          && mesh.face(h) == copy.face(h);
-    for (const auto v : copy.vertices())
-      same = same && mesh.point(v) == copy.point(v) && mesh.halfedge(v) == copy.halfedge(v)
-          && domain[v] == Domain_point::Constant(double(v));
-    for (const auto f : copy.faces()) same = same && number[f] == int(f) * int(f);
-    return same;
-  }
-};
-
-template <class Atlas>
-bool same(const SM::Manifold_map<Atlas>& a, const SM::Manifold_map<Atlas>& b)
-{
-  return a.points() == b.points() && a.domain_points() == b.domain_points() && a.faces() == b.faces();
-}
-
-bool same(const SM::Any_map& a, const SM::Any_map& b)
-{
-  return a.index() == b.index() && std::visit([&b](const auto& map) {
-    return same(map, std::get<std::decay_t<decltype(map)>>(b));
-  }, a);
-}
-
-template <class Atlas, class Embedding, class Bump>
-bool same(const SM::Manifold_surface<Atlas, Embedding, Bump>& a,
-          const SM::Manifold_surface<Atlas, Embedding, Bump>& b)
-{
-  bool is_same = true;
-  for (int c = 0; c < Atlas::number_of_charts; ++c)
-    for (double x : {0.2, 0.45, 0.8})
-      is_same = is_same && a.chart_embedding(c).point({x, 0.6}) == b.chart_embedding(c).point({x, 0.6});
-  return is_same;
-}
 
 /// \param run           (visitor) -> result
 /// \param is_unchanged  () -> bool
@@ -167,12 +92,6 @@ void cancel_function_of_map(const SM::Manifold_map<Atlas>& map, const Function& 
   }, [&] { return same(map, copy); }, least_steps);
 }
 
-Triangle_mesh some_sphere() { Random random(4); return random_sphere(40, 100, 0, random); }
-Triangle_mesh some_torus() { return grid_torus(5, 6, 2); }
-Triangle_mesh some_disk() { return without_star(some_sphere(), 3); }
-
-Mesh mesh_of(const Triangle_mesh& t) { return Watched_mesh<Eigen::Vector2d>(t).mesh; }
-
 } // namespace
 
 TEST_CASE("mappers are cancelled at every step")
@@ -186,6 +105,30 @@ TEST_CASE("mappers are cancelled at every step")
   cancel_mapper<Eigen::Vector2d>(some_disk(), [](const auto& mesh, const auto& np) {
     return SM::map_to_plane(mesh, np);
   }, 10);
+  cancel_mapper<Eigen::Vector3d>(some_disk(), [](const auto& mesh, const auto& np) {
+    return SM::map_to_sphere(mesh, params::close_borders(SM::Close_borders::ALL, np));
+  }, 10);
+  const std::vector<SM::Landmark<Mesh::Vertex_index, Eigen::Vector3d>> landmarks
+    = {{Mesh::Vertex_index(7), Eigen::Vector3d(1, 0, 0)}, {Mesh::Vertex_index(23), Eigen::Vector3d(0, 1, 0)}};
+  cancel_mapper<Eigen::Vector3d>(some_sphere(), [&landmarks](const auto& mesh, const auto& np) {
+    return SM::map_to_sphere(mesh, params::landmarks(landmarks, np));
+  }, 10);
+}
+
+TEST_CASE("mapping and fitting in one call is cancelled at every step, with several threads")
+{
+  Random random(8);
+  Watched_mesh<Eigen::Vector2d> watched(random_torus(60, 50, 1000, 0, random)); // shorter loops have one thread
+  const auto fit = [&watched](auto& visitor) {
+    return SM::fit_surface<CGAL::Parallel_if_available_tag>(
+      watched.mesh, params::rms_error(0.05).visitor(std::ref(visitor)));
+  };
+  Impatient_visitor patient;
+  const auto surface = std::get<2>(fit(patient)); // of the torus
+  cancel_at_every_step([&](Impatient_visitor& visitor) {
+    const auto again = fit(visitor);
+    CHECK(same(surface, std::get<2>(again)));
+  }, [&] { return watched.is_unchanged(); }, 15);
 }
 
 TEST_CASE("maps to whichever surface and by partition are cancelled at every step")
@@ -224,6 +167,11 @@ TEST_CASE("functions of maps are cancelled at every step")
   cancel_function_of_map(sphere, fit, 5);
   cancel_function_of_map(torus, fit, 5);
   cancel_function_of_map(disk, fit, 5);
+  for (const SM::Joint_solve joint : {SM::Joint_solve::ALWAYS, SM::Joint_solve::NEVER})
+    cancel_function_of_map(disk, [&](const auto& map, const auto& np) {
+      return SM::fit_surface(map, params::rms_error(0.05, params::joint_solve(joint,
+                                    params::refinement(SM::Refinement::UNIFORM, np))));
+    }, 5);
   const auto patches = [](const auto& map, const auto& np) {
     return SM::fit_patch_surface(map, params::average_delta(0.05, params::max_patches(3, np)));
   };

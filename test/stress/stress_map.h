@@ -6,6 +6,7 @@
 #include "../correspondence/random_surfaces.h"
 #include "../correspondence/sample_maps.h"
 
+#include <CGAL/Simple_manifolds/correspondence/certify.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <stdexcept>
 #include <type_traits>
 #include <variant>
@@ -45,6 +47,15 @@ struct Figures {
   double round_trip = 0;    ///< from the domain to the mesh and back: the worst of some points
 };
 
+/// The faces, each from its smallest vertex on, in order: equal for equal sets of oriented faces.
+inline std::vector<SM::Triangle> ordered(std::vector<SM::Triangle> faces)
+{
+  for (SM::Triangle& f : faces)
+    std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
 /// \throw SM::Error  from the mapper
 /// \throw std::logic_error  when the result is no map of the mesh
 inline Figures map_and_check(const Triangle_mesh& t, SM::Energy energy = SM::Energy::SYMMETRIC_DIRICHLET)
@@ -57,9 +68,13 @@ inline Figures map_and_check(const Triangle_mesh& t, SM::Energy energy = SM::Ene
   const SM::Any_map any = SM::map_to_canonical_surface(surface_mesh(t), SM::parameters::energy(energy));
   std::visit([&](const auto& map) {
     using Map = std::decay_t<decltype(map)>;
-    require(map.certificate().is_valid(), "the map is not certified");
+    require(SM::certify(map.atlas(), map.domain_points(), map.faces()).is_valid(), "the map is not one to one");
     require(map.number_of_input_vertices() == t.points.size(), "vertices are missing");
     require(map.number_of_faces() >= t.triangles.size(), "faces are missing");
+    std::vector<SM::Triangle> missing;
+    const auto before = ordered({t.triangles.begin(), t.triangles.end()}), after = ordered(map.faces());
+    std::set_difference(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(missing));
+    require(missing.size() <= map.number_of_faces() - t.triangles.size(), "faces are others"); // than split ones
     require(std::equal(t.points.begin(), t.points.end(), map.points().begin()), "vertices have moved");
     figures.faces = map.number_of_faces();
     figures.smallest_area = map.certificate().smallest_domain_area;

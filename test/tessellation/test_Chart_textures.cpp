@@ -161,3 +161,19 @@ TEST_CASE("a texel holds the value of the surface at its centre")
         CHECK((colours.sample(a) - expected).norm() < 1e-6);
       }
 }
+
+TEST_CASE("several threads bake the same images")
+{
+  const auto surface = ellipsoid(Eigen::Vector3d(1, 2, 3));
+  const int n = 300; // more than one range per chart
+  const auto normal = [](const SM::Jet& e) { return SM::normal(e); };
+  const auto one = SM::bake(surface, n, normal);
+  const auto several = SM::bake<CGAL::Parallel_if_available_tag>(surface, n, normal);
+  bool is_same = true;
+  for (int c = 0; c < 6; ++c)
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) is_same = is_same && one.texel(c, i, j) == several.texel(c, i, j);
+  CHECK(is_same);
+  const SM::Chart_point a{5, {0.5 / n, (n - 0.5) / n}};
+  CHECK((several.texel(5, 0, n - 1) - surface.normal(a)).norm() < 1e-6);
+}

@@ -95,7 +95,7 @@ class Topology_error : public Error { using Error::Error; };
 
 /// \ingroup PkgSimpleManifoldsErrors
 ///
-/// Coordinates that are not finite, or a mesh without extent.
+/// Coordinates that are not finite, or a mesh without extent or with one that is no double.
 class Geometry_error : public Error { using Error::Error; };
 
 /// \ingroup PkgSimpleManifoldsErrors

@@ -32,7 +32,7 @@ enum class Energy {
 enum class Effort {
   FAST,    ///< half the sweeps
   DEFAULT, ///< the schedule that pays on real meshes
-  QUALITY  ///< many more sweeps on coarse levels: long tails gain, for about 0.2 s per mesh
+  QUALITY  ///< many more sweeps on coarse levels: long tails gain, for a tenth to half a second per mesh
 };
 
 /// \ingroup PkgSimpleManifoldsCorrespondence

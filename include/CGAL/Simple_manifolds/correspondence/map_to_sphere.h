@@ -47,7 +47,7 @@ Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
 /// Maps a closed mesh of genus 0 one to one onto the unit sphere, without a cut.
 ///
 /// The result is certified: every face is positive in exact arithmetic, and the faces cover the
-/// sphere once. It depends on nothing but the mesh and the parameters, bit for bit, whatever the
+/// domain once. It depends on nothing but the mesh and the parameters, bit for bit, whatever the
 /// number of threads. Time and memory are linear in the size of the mesh.
 ///
 /// \tparam ConcurrencyTag  `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
@@ -76,9 +76,9 @@ Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
 ///     `SimpleManifoldsVisitor` passed by `std::ref`} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the map; its vertices are the used vertices of `mesh` in their order
-/// \throw Topology_error  when the mesh is no closed connected surface of genus 0, or not simplicial
-/// \throw Geometry_error  when a coordinate is not finite
+/// \return the map; its vertices are the used vertices of `mesh` in their order, then those that split edges
+/// \throw Topology_error  when the mesh is no connected surface of the kind above, or not simplicial
+/// \throw Geometry_error  when a coordinate is not finite, or the extent is no double
 /// \throw Numeric_error  when double precision does not suffice, which has not been seen
 ///
 /// Grimm 2002, section 5, asks for such a map; the method is a coarse-to-fine embedding in star kernels.

@@ -179,16 +179,20 @@ auto bake(const Manifold_surface<Atlas, ChartEmbedding, Bump>& surface, int reso
 {
   using Result = std::decay_t<decltype(internal::value_on_surface(f, Chart_point(), Jet()))>;
   using Textures = Chart_textures<Atlas, internal::channels_of<Result>(), Bump>;
-  // The texels of one i: the surface is evaluated in ranges.
-  std::vector<Chart_point> column(resolution > 0 ? resolution : 0);
+  // The surface is evaluated for several i at once, enough for several threads.
+  constexpr std::size_t enough = 1 << 16;
+  std::vector<Chart_point> texels;
   std::vector<Jet> jets;
   std::size_t next = 0;
+  int i = 0;
   return Textures(resolution, [&](const Chart_point& a) {
     if (next == jets.size()) {
-      for (int j = 0; j < resolution; ++j)
-        column[j] = {a.chart, {a.uv[0], Textures::texel_point(resolution, a.chart, 0, j).uv[1]}};
+      texels.clear();
+      for (; i < resolution && texels.size() < enough; ++i)
+        for (int j = 0; j < resolution; ++j) texels.push_back(Textures::texel_point(resolution, a.chart, i, j));
+      i %= resolution;
       jets.clear();
-      surface.template jets<ConcurrencyTag>(column, std::back_inserter(jets));
+      surface.template jets<ConcurrencyTag>(texels, std::back_inserter(jets));
       next = 0;
     }
     return internal::value_on_surface(f, a, jets[next++]);

@@ -14,6 +14,7 @@
 #include <Eigen/SparseCore>
 
 #include <cstddef>
+#include <memory>
 #include <new>
 #include <string>
 
@@ -33,6 +34,44 @@ namespace internal {
 /// the same solution up to rounding, not bit for bit.
 using Sparse_matrix = Eigen::SparseMatrix<double>;
 
+#ifdef CGAL_SIMPLE_MANIFOLDS_USE_CHOLMOD
+struct Cholesky_factorization : Eigen::CholmodSupernodalLLT<Sparse_matrix, Eigen::Lower> {
+  Cholesky_factorization()
+  {
+    cholmod().print = 0;    // nothing on the console
+    cholmod().nmethods = 1; // METIS, which would be tried next, takes longer than it saves
+    cholmod().method[0].ordering = CHOLMOD_AMD;
+  }
+  void require_memory() // which Eigen does not ask for
+  {
+    if(cholmod().status == CHOLMOD_OUT_OF_MEMORY)
+      throw std::bad_alloc();
+  }
+  std::size_t bytes() { return cholmod().memory_usage; }
+};
+
+// OpenBLAS takes 128 MB of addresses when it is first used and waits for ever when the system refuses them; OpenMP starts
+// CHOLMOD's threads at their first loop and ends the program when it cannot. Both keep what they have. So they are used,
+// on a small dense matrix, when it is known to be there.
+inline void let_blas_take_its_memory()
+{
+  std::unique_ptr<volatile char[]> room(new volatile char[192 << 20]);
+  room[0] = 0; // volatile, or compilers leave the allocation out
+  room.reset();
+  constexpr int n = 128;
+  const Eigen::MatrixXd dense = Eigen::MatrixXd::Identity(n, n) + Eigen::MatrixXd::Constant(n, n, 1. / n);
+  Cholesky_factorization().compute(dense.sparseView());
+}
+#else
+struct Cholesky_factorization : Eigen::SimplicialLLT<Sparse_matrix, Eigen::Lower> {
+  void require_memory() {} // Eigen throws
+  std::size_t bytes() const
+  {
+    return std::size_t(matrixL().nestedExpression().nonZeros()) * (sizeof(double) + sizeof(int));
+  }
+};
+#endif
+
 /// The solution of a x = b, and the memory that it took.
 /// \throw Numeric_error  the factorisation fails
 /// \throw std::bad_alloc  the memory does not suffice
@@ -43,32 +82,20 @@ inline Eigen::MatrixX3d solve_cholesky(const Sparse_matrix& a, const Eigen::Matr
   // cannot. The factorisation is a small share of a fit.
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);
-  Eigen::CholmodSupernodalLLT<Sparse_matrix, Eigen::Lower> solver;
-  solver.cholmod().print = 0;    // nothing on the console
-  solver.cholmod().nmethods = 1; // METIS, which would be tried next, takes longer than it saves
-  solver.cholmod().method[0].ordering = CHOLMOD_AMD;
-  const auto require_memory = [&solver] { // which Eigen does not ask for
-    if(solver.cholmod().status == CHOLMOD_OUT_OF_MEMORY)
-      throw std::bad_alloc();
-  };
-#else
-  Eigen::SimplicialLLT<Sparse_matrix, Eigen::Lower> solver;
-  const auto require_memory = [] {};
+  static const bool is_blas_ready = (let_blas_take_its_memory(), true); // once; again, if it has thrown
+  (void)is_blas_ready;
 #endif
+  Cholesky_factorization solver;
   solver.analyzePattern(a);
-  require_memory();
+  solver.require_memory();
   solver.factorize(a);
-  require_memory();
+  solver.require_memory();
   if(solver.info() != Eigen::Success)
     throw Numeric_error(Error_code::numeric_failure, "the normal equations of " + std::to_string(a.rows())
                         + " controls cannot be factored");
   Eigen::MatrixX3d x = solver.solve(b);
-  require_memory();
-#ifdef CGAL_SIMPLE_MANIFOLDS_USE_CHOLMOD
-  bytes = solver.cholmod().memory_usage;
-#else
-  bytes = std::size_t(solver.matrixL().nestedExpression().nonZeros()) * (sizeof(double) + sizeof(int));
-#endif
+  solver.require_memory();
+  bytes = solver.bytes();
   return x;
 }
 

@@ -1,4 +1,4 @@
-// Lets allocations fail, for the tests of test_IO.
+// Lets allocations fail: operator new of the whole test program, in short_of_memory.cpp.
 
 #ifndef SIMPLE_MANIFOLDS_TEST_SHORT_OF_MEMORY_H
 #define SIMPLE_MANIFOLDS_TEST_SHORT_OF_MEMORY_H
