@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -172,6 +173,7 @@ Request request_of(int argc, char** argv)
   po::options_description options(
     "export_surface SURFACE.json|MAP.ply -o FILE.{obj,glb,vtp,ply} [options]", 100);
   options.add_options()
+    ("help", "print this and end")
     ("output,o", po::value(&r.output)->required(), "file to write: .obj (with .mtl), .glb, .vtp or .ply")
     ("map", po::value(&r.map), "map.ply that the surface was fitted to: adds the error as a field")
     ("texture", po::value(&r.texture)->default_value("none"),
@@ -184,28 +186,31 @@ Request request_of(int argc, char** argv)
   po::positional_options_description positional;
   positional.add("input", 1);
   po::variables_map values;
-  try {
-    po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(), values);
-    po::notify(values);
-    const std::string extension = std::filesystem::path(r.output).extension().string();
-    const bool has_images = extension == ".obj" || extension == ".glb";
-    if (!has_images && extension != ".vtp" && extension != ".ply")
-      throw po::error("the output is an .obj, .glb, .vtp or .ply file");
-    const auto textures = {"none", "normals", "curvature", "checker"};
-    if (std::find(textures.begin(), textures.end(), r.texture) == textures.end())
-      throw po::error("--texture is one of none, normals, curvature, checker");
-    if (!has_images && r.texture != "none") throw po::error("only .obj and .glb have a texture");
-    if (r.texels < 2 || r.texels > 8192) throw po::error("--texels must be from 2 to 8192");
-    if (r.subdivisions < 1 || r.subdivisions > 4096)
-      throw po::error("--subdivisions must be from 1 to 4096");
-    if (!values["chord-error"].defaulted() && !(r.chord_error >= 1e-6))
-      throw po::error("--chord-error must be at least 0.000001");
-    for (const std::string& file : {r.input, r.map})
-      if (is_same_file(file, r.output)) throw po::error("the output would replace the input " + file);
-  } catch (const po::error&) {
-    std::cerr << options;
-    throw;
+  po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(), values);
+  if (values.count("help")) {
+    std::cout << options << "Exit status: 0 success, 2 usage, or the file cannot be written, 3 unreadable input,\n"
+                            "4 too little memory.\n";
+    std::exit(0);
   }
+  po::notify(values);
+  const std::string extension = std::filesystem::path(r.output).extension().string();
+  const bool has_images = extension == ".obj" || extension == ".glb";
+  if (!has_images && extension != ".vtp" && extension != ".ply")
+    throw po::error("the output is an .obj, .glb, .vtp or .ply file");
+  const auto textures = {"none", "normals", "curvature", "checker"};
+  if (std::find(textures.begin(), textures.end(), r.texture) == textures.end())
+    throw po::error("--texture is one of none, normals, curvature, checker");
+  if (!has_images && r.texture != "none") throw po::error("only .obj and .glb have a texture");
+  if (r.texels < 2 || r.texels > 8192) throw po::error("--texels must be from 2 to 8192");
+  if (r.subdivisions < 1 || r.subdivisions > 4096)
+    throw po::error("--subdivisions must be from 1 to 4096");
+  if (!values["chord-error"].defaulted() && !(r.chord_error >= 1e-6))
+    throw po::error("--chord-error must be at least 0.000001");
+  std::string materials = r.output;
+  if (extension == ".obj") materials.replace(materials.size() - 4, 4, ".mtl");
+  for (const std::string& file : {r.input, r.map})
+    for (const std::string& output : {r.output, materials})
+      if (is_same_file(file, output)) throw po::error("the output would replace the input " + file);
   return r;
 }
 
@@ -222,9 +227,9 @@ int main(int argc, char** argv)
     std::cout << request.output << ": " << mesh.atlas << ", " << mesh.points.size() << " vertices, "
               << mesh.triangles.size() << " triangles, " << mesh.images.size() << " images\n";
   } catch (const po::error& e) {
-    return fail(e.what(), 2);
+    return fail(std::string(e.what()) + " (see export_surface --help)", 2);
   } catch (const SM::Error& e) {
-    return fail(e.what(), 3);
+    return fail(e.what(), e.code() == SM::Error_code::cannot_write ? 2 : 3);
   } catch (const std::bad_alloc&) {
     return fail("the memory is not sufficient", 4);
   } catch (const std::exception& e) {

@@ -70,7 +70,7 @@ Fit_request fit_request(const Command_line& options)
   r.joint = options.get<bool>("economy") ? SM::Joint_solve::ALWAYS : SM::Joint_solve::AT_END;
   options.require(marking == "all" || marking == "vertices", "marking", "all or vertices");
   options.require(r.controls >= 1000, "max-controls", "at least 1000");
-  options.require(r.fairness >= 0 && std::isfinite(r.fairness), "fairness", "a number that is not negative");
+  options.require(r.fairness >= 0 && r.fairness <= 1e12, "fairness", "from 0 to 1e12");
   options.require(r.samples >= 0 && r.samples <= 100000000, "samples", "from 0 to 100000000");
   return r;
 }
@@ -293,8 +293,8 @@ int main(int argc, char** argv)
       "metrics.json, report.html (all this for a browser) and, with --samples, samples.csv.\n"
       "With --method paper both the map and the fit are those of Grimm 2002.\n"
       "Exit status: 0 success, 1 tolerance not reached (the files are written), 2 usage, or files cannot be\n"
-      "written, 3 unreadable input, 4 unsupported topology or geometry, or too little memory, 130 or 143\n"
-      "ended by ctrl-C or kill. Above 1 no file is written.");
+      "written, 3 unreadable input, 4 unsupported topology or geometry, or too little memory, 129, 130\n"
+      "or 143 ended by SIGHUP, ctrl-C or kill. Above 1 no file is written.");
     options.add("surface", po::value<std::string>(),
                 "what is fitted: hierarchical (splines), or patches (Grimm 2002, 7 x 7 controls each);\n"
                 "default: hierarchical, with --method paper patches");

@@ -55,7 +55,8 @@ int main(int argc, char** argv)
       "Maps a mesh (OFF, OBJ, PLY, STL; closed of genus 0 or 1, or a disk) one to one onto the unit sphere,\n"
       "the flat torus or the unit square, and writes the map.\n"
       "Exit status: 0 success, 2 usage, or the file cannot be written, 3 unreadable input, 4 unsupported\n"
-      "topology or geometry, or too little memory, 130 or 143 ended by ctrl-C or kill.");
+      "topology or geometry, or too little memory, 129, 130 or 143 ended by SIGHUP,\n"
+      "ctrl-C or kill.");
     options.add("energy", po::value<std::string>()->default_value("symmetric_dirichlet"),
                 "the distortion to minimise: symmetric_dirichlet, amips");
     options.add("lambda", po::value<double>()->default_value(SM::Map_options().lambda, "0.3"),

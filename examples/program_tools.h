@@ -71,6 +71,7 @@ inline void throw_if_interrupted()
 /// A signal is answered at the next step of the visitor or before files appear, a second one at once.
 inline void answer_signals()
 {
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is one that cannot be written
   for (int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const auto before = std::signal(signal, [](int s) {
       interrupting_signal = s;
@@ -96,7 +97,10 @@ template <class Program>
 int run(const char* name, const Program& program)
 {
   const auto fail = [name](const std::string& message, int status) {
-    std::cerr << name << ": " << message << std::endl;
+    std::string line = message; // names of files can hold anything
+    for (char& c : line)
+      if (static_cast<unsigned char>(c) < ' ') c = '?';
+    std::cerr << name << ": " << line << std::endl;
     return status;
   };
   try {

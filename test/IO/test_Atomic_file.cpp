@@ -196,6 +196,13 @@ TEST_CASE("when one of several files cannot have its name, those that were there
   CHECK(base.read("c") == "old c");
 }
 
+TEST_CASE("nobody else gets the temporary path of a file that is not yet written")
+{
+  const Temporary_folder base;
+  SM::Atomic_files one, other;
+  CHECK(one.file(base("a")) != other.file(base("a")));
+}
+
 TEST_CASE("several files appear together, in different folders")
 {
   const Temporary_folder base;

@@ -215,6 +215,15 @@ const std::vector<Case>& bad_meshes()
     {"STL cut off", "a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n",
      E::syntax_error,
      {"endsolid", "line 6"}},
+    {"STL without an endfacet", "a.stl",
+     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendsolid a\n",
+     E::syntax_error, {"facet 0", "no endfacet", "line 8"}},
+    {"STL with a vertex too early", "a.stl",
+     "solid a\nvertex 5 5 5\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+       "endfacet\nendsolid a\n", E::syntax_error, {"facet 0", "vertex before", "line 2"}},
+    {"STL with a quadrilateral", "a.stl",
+     "solid a\nfacet normal 0 0 1 outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\n"
+       "endfacet\nendsolid a\n", E::syntax_error, {"facet 0", "4 vertices", "line 8"}},
     // coordinates
     {"a word for a coordinate", "a.off", "OFF\n3 1 0\n0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n", E::syntax_error,
      {"vertex 1", "\"x\"", "line 4"}},

@@ -123,7 +123,15 @@ TEST_CASE("the four formats give the same mesh")
                           "endfacet\nfacet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1e-3\nendloop\n"
                           "endfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 1 0\nvertex -0 0 0\nvertex 0 0 1e-3\nendloop\n"
                           "endfacet\nendsolid t\n"),
-    folder.write("h.stl", binary_stl())};
+    folder.write("h.stl", binary_stl()),
+    folder.write("i.stl", "solid t\nfacet normal 0 0 -1 outer loop vertex 0 0 0 vertex 0 1 0 vertex 1 0 0 endloop endfacet\n"
+                          "facet normal 0 -1 0 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 0 0.001 endloop endfacet\n"
+                          "facet normal 0 0 1 outer loop vertex 1 0 0 vertex 0 1 0 vertex 0 0 1e-3 endloop endfacet\n"
+                          "facet normal nan 0 1 outer loop vertex 0 1 0 vertex 0 0 0 vertex 0 0 1e-3 endloop endfacet\n"
+                          "endsolid t\n"),
+    folder.write("j.obj", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 .001\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"),
+    folder.write("k.off", "OFF # not\n# made of a BINARY STL\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0.001\n"
+                          "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")};
   for (const std::string& file : files) {
     INFO(file);
     Mesh mesh;

@@ -424,8 +424,10 @@ TEST_CASE("Surfaces fitted to a real mesh do not wiggle between the samples")
 TEST_CASE("Very large and very small meshes are fitted as others, and refused where squares of areas have no room")
 {
   double curvature = 0; // of the last fit, at a point, were it of scale 1
-  const auto fit = [&](double scale) {
-    const auto map = octahedron_map(2, [&](const Vector3d& p) -> Vector3d { return scale * p; });
+  const auto fit = [&](double scale, double offset = 0) {
+    const auto map = octahedron_map(2, [&](const Vector3d& p) -> Vector3d {
+      return scale * p + Vector3d::Constant(offset);
+    });
     SM::Fit_report report;
     const auto surface = SM::fit_surface(map, SM::parameters::rms_error(1e-2).fit_report(std::ref(report)));
     CHECK(surface.jet(Vector3d(0, 0, 1)).value.allFinite());
@@ -442,9 +444,9 @@ TEST_CASE("Very large and very small meshes are fitted as others, and refused wh
     CHECK(other.closest_point_rms == Approx(one.closest_point_rms).epsilon(1e-6));
     CHECK(curvature == Approx(curvature_of_one).epsilon(1e-6));
   }
-  const auto code = [&](double scale) {
+  const auto code = [&](double scale, double offset = 0) {
     try {
-      fit(scale);
+      fit(scale, offset);
     } catch(const SM::Geometry_error& e) {
       return e.code();
     }
@@ -454,4 +456,6 @@ TEST_CASE("Very large and very small meshes are fitted as others, and refused wh
   CHECK(code(1e100) == SM::Error_code::extent_out_of_range);
   CHECK(code(1e-61) == SM::Error_code::extent_out_of_range);
   CHECK(code(0) == SM::Error_code::zero_extent);
+  CHECK(code(1, 1e11) == SM::Error_code::empty_mesh); // none
+  CHECK(code(1, 1e13) == SM::Error_code::extent_out_of_range);
 }

@@ -107,13 +107,14 @@ public:
   using Surface = Manifold_surface<Atlas, Hierarchical_embedding, Bump>; ///< what is fitted
 
   /// The map must outlive the fitter.
-  /// \pre the tolerances, the fairness and the weights are not negative; the degree is in 2..5;
+  /// \pre the tolerances, the fairness and the weights are not negative, the fairness at most 1e12; the degree is in 2..5;
   ///   `max_controls` allows for the coarsest space: `number_of_charts * (4 + spline_degree)^2`
   Surface_fitter(const Map& map, const Fit_options& options = Fit_options(), const Bump& bump = Bump())
     : map_(map), options_(options), partition_(bump, map.atlas()), sampler_(map, partition_),
       errors_(map, partition_, options.marking == Marking::VERTICES)
   {
-    CGAL_precondition(options.rms_error >= 0 && options.max_error >= 0 && options.fairness >= 0);
+    CGAL_precondition(options.rms_error >= 0 && options.max_error >= 0);
+    CGAL_precondition(options.fairness >= 0 && options.fairness <= 1e12);
     CGAL_precondition(options.spline_degree >= 2 && options.spline_degree <= 5);
     CGAL_precondition(options.max_controls >= std::size_t(Atlas::number_of_charts)
                       * (4 + options.spline_degree) * (4 + options.spline_degree));
@@ -122,7 +123,7 @@ public:
   /// Fits; may be called repeatedly, with equal results.
   /// \param visitor  derived from `Default_visitor`; phases "fit" and "measure"
   /// \throw Geometry_error  `zero_extent`: all vertices coincide, so that errors have no unit;
-  ///   `extent_out_of_range`: the diagonal of the mesh is not within 1e-60 and 1e60
+  ///   `extent_out_of_range`: the diagonal of the mesh is not within 1e-60 and 1e60, or 1e-12 of a coordinate
   /// \throw Numeric_error  a factorisation fails
   template <class Visitor>
   Surface fit(Visitor& visitor)

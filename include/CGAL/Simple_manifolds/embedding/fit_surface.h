@@ -56,12 +56,12 @@ inline constexpr bool is_map<T, std::void_t<typename T::Domain_point, typename T
 ///   - `refinement` (`Refinement`, `ADAPTIVE`): where controls are added
 ///   - `joint_solve` (`Joint_solve`, `AT_END`): when the charts are fitted together
 ///   - `marking` (`Marking`, `ALL_POINTS`): which points must be brought within the tolerance
-///   - `fairness` (double >= 0, 0): weight of the thin plate energy, for noisy meshes
+///   - `fairness` (double from 0 to 1e12, 0): weight of the thin plate energy, for noisy meshes
 ///   - `vertex_weights` (range of double, one per vertex of the map, all equal): weights of the vertices
 ///   - `fit_report` (`std::reference_wrapper<Fit_report>`): receives errors, counts and times
 ///   - `visitor` (derived from `Default_visitor`, by `std::ref`)
 /// \throw Geometry_error  `zero_extent`: all vertices coincide; `extent_out_of_range`: the diagonal of the mesh
-///   is not within 1e-60 and 1e60
+///   is not within 1e-60 and 1e60, or 1e-12 of a coordinate
 /// \throw Numeric_error  a factorisation fails
 template <class ConcurrencyTag = Sequential_tag, class Map,
           class NamedParameters = parameters::Default_named_parameters,

@@ -10,7 +10,9 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 
+#include <atomic>
 #include <filesystem>
+#include <random>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -26,12 +28,14 @@ inline bool is_taken(const std::filesystem::path& path)
   return std::filesystem::exists(std::filesystem::symlink_status(path, ignored));
 }
 
-/// A path beside `path` at which nothing exists yet.
+/// A path beside `path` at which nothing exists yet, and which no other process or thread chooses.
 inline std::filesystem::path unused_path_beside(const std::filesystem::path& path)
 {
-  for (int i = 0;; ++i) {
+  static const std::string process = ".tmp" + std::to_string(std::random_device()()) + '-';
+  static std::atomic<unsigned> count{0};
+  for (;;) {
     std::filesystem::path p = path;
-    p += ".tmp" + std::to_string(i);
+    p += process + std::to_string(count++);
     if (!is_taken(p)) return p;
   }
 }

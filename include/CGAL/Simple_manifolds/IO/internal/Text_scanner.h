@@ -52,7 +52,11 @@ class Text_scanner {
 public:
   /// \param line  the line of the file at which the text begins
   Text_scanner(const std::string& file, std::string_view text, bool comments, std::size_t line = 1)
-    : file_(file), text_(text), comments_(comments), line_(line) {}
+    : file_(file), text_(text), comments_(comments), line_(line)
+  {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (line == 1 && text.substr(0, 3) == byte_order_mark) at_ = 3;
+  }
 
   std::size_t line() const { return line_; }
   std::size_t bytes_left() const { return text_.size() - at_; }

@@ -30,7 +30,8 @@ inline File_mesh read_off(const std::string& file, std::string_view text)
     throw IO_error(Error_code::unsupported_format, file, "OFF of another dimension than 3", in.line());
   if (variant != "OFF")
     in.fail("no OFF file: it begins with \"" + Text_scanner::shown(variant) + '"');
-  if (!in.at_end() && text.find("BINARY") < 64)
+  const std::string_view first = text.substr(0, text.find('\n'));
+  if (first.substr(0, first.find('#')).find("BINARY") != first.npos)
     throw IO_error(Error_code::unsupported_format, file, "binary OFF is not read", in.line());
 
   const std::size_t vertices = in.count("vertices", 6), faces = in.count("faces", 2);

@@ -10,6 +10,10 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 
@@ -18,7 +22,8 @@ namespace Simple_manifolds {
 namespace internal {
 
 /// Refuses meshes without extent, whose errors have no unit, and those whose squared areas would leave the range
-/// of doubles: fits and curvatures need fourth powers of lengths.
+/// of doubles: fits and curvatures need fourth powers of lengths. And those so far from the origin that the rounding of
+/// their coordinates is of the size of a tolerance.
 template <class Map>
 void require_extent(const Map& map)
 {
@@ -30,6 +35,15 @@ void require_extent(const Map& map)
     char text[128];
     std::snprintf(text, sizeof text, "the diagonal of the mesh is %.3g; a fit needs one from 1e-60 to 1e60: "
                   "scale the mesh", d);
+    throw Geometry_error(Error_code::extent_out_of_range, text);
+  }
+  double largest = 0;
+  for(std::size_t v = 0; v < map.number_of_vertices(); ++v)
+    largest = (std::max)(largest, map.point(v).template lpNorm<Eigen::Infinity>());
+  if(!(largest <= 1e12 * d)) {
+    char text[128];
+    std::snprintf(text, sizeof text, "a coordinate of the mesh is %.3g times its diagonal; a fit needs at most 1e12: "
+                  "move the mesh to the origin", largest / d);
     throw Geometry_error(Error_code::extent_out_of_range, text);
   }
 }

@@ -74,7 +74,7 @@ namespace Simple_manifolds {
 ///   - `visitor` (derived from `Default_visitor`, by `std::ref`); phases "fit" and "measure"
 /// \return a `Manifold_surface<typename Map::Atlas, Patch_stack_embedding, Bump>`
 /// \throw Geometry_error  `zero_extent`: all vertices coincide; `extent_out_of_range`: the diagonal of the mesh
-///   is not within 1e-60 and 1e60
+///   is not within 1e-60 and 1e60, or 1e-12 of a coordinate
 /// \throw Numeric_error  a factorisation fails
 template <class ConcurrencyTag = Sequential_tag, class Map,
           class NamedParameters = parameters::Default_named_parameters>
