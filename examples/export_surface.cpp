@@ -104,6 +104,7 @@ void write(const std::string& file, const SM::Charted_mesh& mesh)
 template <class Atlas>
 SM::Charted_mesh mesh_of(const SM::Manifold_map<Atlas>& map, const Request& request)
 {
+  if (!request.map.empty()) throw po::error("only a surface has --map");
   SM::Charted_mesh mesh = SM::charted_mesh(map);
   if (request.texture == "checker") mesh.images = SM::png_images(bake_checker<Atlas>(request.texels));
   else if (request.texture != "none") throw po::error("the mesh of a map has only --texture checker");
