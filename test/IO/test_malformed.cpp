@@ -197,6 +197,12 @@ const std::vector<Case>& bad_meshes()
      "ply\nformat ascii 1.0\nelement vertex 1\n" + ply_vertices
      + "element face 1\nproperty list char int vertex_index\n"
        "end_header\n0 0 0\n-3 0 0 0\n", E::syntax_error, {"list of face 0"}},
+    {"PLY list of length 2.9", "a.ply", ply("4", "1", four + "2.9 0 1 2\n"), E::syntax_error,
+     {"face 0", "impossible length"}},
+    {"PLY whose faces have no corners", "a.ply",
+     "ply\nformat ascii 1.0\nelement vertex 1\n" + ply_vertices
+       + "element face 1\nproperty list uchar int vertices\nend_header\n0 0 0\n3 0 0 0\n",
+     E::syntax_error, {"vertex_indices"}},
     {"PLY with two lists of vertices", "a.ply",
      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nelement vertex 2\nproperty float y\n"
      "end_header\n0\n0\n0\n",

@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -165,12 +166,19 @@ private:
            + std::to_string(left) + " bytes follow");
   }
 
+  static bool is_corner_list(const Property& p)
+  {
+    return p.list != Type::none && (p.name == "vertex_indices" || p.name == "vertex_index");
+  }
+
   template <class Value>
   void read_element(const Element& e, const Value& value)
   {
     if (e.properties.empty()) return;
     check_size(e, bytes_.size() - std::max(at_, body_));
     const bool is_vertex = e.name == "vertex", is_face = e.name == "face";
+    if (is_face && e.count && std::none_of(e.properties.begin(), e.properties.end(), is_corner_list))
+      fail("the faces have no list vertex_indices or vertex_index");
     std::vector<std::vector<double>*> column(e.properties.size(), nullptr);
     if (is_vertex) vertices_ = e.count;
     if (is_face) mesh_.reserve_faces(e.count);
@@ -189,9 +197,9 @@ private:
           continue;
         }
         const double length = value({p.name, Type::none, p.list});
-        if (!(length >= 0 && length <= double(bytes_.size())))
+        if (!(length >= 0 && length <= double(bytes_.size()) && length == std::floor(length)))
           fail("a list of " + e.name + ' ' + std::to_string(row) + " has an impossible length");
-        const bool is_corners = is_face && (p.name == "vertex_indices" || p.name == "vertex_index");
+        const bool is_corners = is_face && is_corner_list(p);
         for (std::size_t k = 0; k < std::size_t(length); ++k) {
           const double x = value(p);
           if (is_corners) mesh_.add_corner(to_index(x));
