@@ -419,7 +419,7 @@ TEST_CASE("Corners of the square are those that the user gives, or those of the 
     }
   const auto square = SM::map_to_plane(surface_mesh(grid));
   for (const int v : {0, 8, 45, 53}) {
-    const Eigen::Vector2d p = square.domain_point(v);
+    const Eigen::Vector2d& p = square.domain_point(v);
     CHECK(((p.x() == 0 || p.x() == 1) && (p.y() == 0 || p.y() == 1)));
   }
 }
