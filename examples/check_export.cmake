@@ -41,16 +41,26 @@ exports("s.ply" ${map} -o ${out}.ply)
 exports("s.glb" ${surface} -o ${out}.glb --subdivisions 5 --texture curvature --texels 16)
 
 run(0 ${EXPORT_SURFACE} --help)
+
+# What is refused could be written: the folder exists, and stays empty.
+file(MAKE_DIRECTORY ${WORK}/out)
 run(2 ${EXPORT_SURFACE} ${surface} -o ${out}.stl)
 run(2 ${EXPORT_SURFACE} ${surface})
 run(2 ${EXPORT_SURFACE} ${surface} -o ${out}.obj --chord-error 0)
 run(2 ${EXPORT_SURFACE} ${surface} -o ${out}.vtp --texture normals)
 run(2 ${EXPORT_SURFACE} ${surface} -o ${out}.obj --texture wood)
 run(2 ${EXPORT_SURFACE} ${map} -o ${out}.obj --texture normals)
-run(3 ${EXPORT_SURFACE} ${WORK}/none.json -o ${out}.obj)
 run(2 ${EXPORT_SURFACE} ${map} --map ${map} -o ${out}.glb)
-run(3 ${EXPORT_SURFACE} ${surface} --map ${surface} -o ${out}.glb)
 run(2 ${EXPORT_SURFACE} ${surface} -o ${WORK}/none/s.glb) # there is no such folder
-if(EXISTS ${WORK}/out OR EXISTS ${WORK}/none)
-  message(SEND_ERROR "a failed export left files")
+run(3 ${EXPORT_SURFACE} ${WORK}/none.json -o ${out}.obj)
+run(3 ${EXPORT_SURFACE} ${surface} --map ${surface} -o ${out}.glb)
+file(GLOB found ${WORK}/out/*)
+if(found OR EXISTS ${WORK}/none)
+  message(SEND_ERROR "a failed export left files: ${found}")
 endif()
+
+# The inputs stay, also one that has the name of the file of materials.
+configure_file(${surface} ${WORK}/out/s.mtl COPYONLY)
+run(2 ${EXPORT_SURFACE} ${out}.mtl -o ${out}.obj)
+run(2 ${EXPORT_SURFACE} ${map} -o ${map})
+run(0 ${CMAKE_COMMAND} -E compare_files ${surface} ${out}.mtl)
