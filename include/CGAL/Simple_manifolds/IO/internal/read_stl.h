@@ -73,26 +73,26 @@ inline File_mesh read_stl_ascii(const std::string& file, std::string_view text)
   in.skip_line();
   bool has_end = false;
   int corners = -1; // of the facet that has begun; -1: none has
-  const auto require = [&](bool is_so, const std::string& what) {
-    if (!is_so) in.fail("facet " + std::to_string(mesh.number_of_faces()) + what);
+  const auto fail = [&](const std::string& what) {
+    in.fail("facet " + std::to_string(mesh.number_of_faces()) + what);
   };
   while (!in.at_end()) {
     const std::string_view keyword = in.word("a keyword");
     has_end = keyword == "endsolid";
     if (keyword == "vertex") {
-      require(corners >= 0, ": a vertex before its beginning");
+      if (corners < 0) fail(": a vertex before its beginning");
       mesh.add_corner(vertex(in.point("a coordinate of facet " + std::to_string(mesh.number_of_faces()))));
       ++corners;
     } else if (keyword == "endfacet") {
-      require(corners == 3, " has " + std::to_string((std::max)(corners, 0)) + " vertices instead of 3");
+      if (corners != 3) fail(" has " + std::to_string((std::max)(corners, 0)) + " vertices instead of 3");
       mesh.end_face();
       corners = -1;
     } else if (keyword == "facet") {
-      require(corners < 0, " has no endfacet");
+      if (corners >= 0) fail(" has no endfacet");
       for (int k = 0; k < 4; ++k) in.word("a normal"); // the keyword and three numbers
       corners = 0;
     } else if (keyword == "endsolid" || keyword == "solid") {
-      require(corners < 0, " has no endfacet");
+      if (corners >= 0) fail(" has no endfacet");
       in.skip_line();
     } else if (keyword != "outer" && keyword != "loop" && keyword != "endloop") {
       in.fail("unknown keyword \"" + Text_scanner::shown(keyword) + '"');
