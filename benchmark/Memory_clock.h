@@ -28,8 +28,7 @@ private:
   {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);)
-      if (line.compare(0, key.size(), key) == 0)
-        return std::stod(line.substr(key.size()));
+      if (line.compare(0, key.size(), key) == 0) return std::stod(line.substr(key.size()));
     return std::numeric_limits<double>::quiet_NaN();
   }
 

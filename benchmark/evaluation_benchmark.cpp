@@ -56,18 +56,17 @@ struct Subject {
 template <class Function>
 void for_each_index(const Function& f)
 {
-  for(int k = 0; k < number_of_points; ++k)
-    f(k);
+  for (int k = 0; k < number_of_points; ++k) f(k);
 }
 
 /// Prints the best of several runs: what others do on the machine only makes it slower.
 void measure(const Subject& s, const char* derivatives, const char* points, const std::function<void()>& run)
 {
   double best = 1e300;
-  for(int k = 0; k < repetitions; ++k) {
+  for (int k = 0; k < repetitions; ++k) {
     const double start = seconds();
     run();
-    best = std::min(best, seconds() - start);
+    best = (std::min)(best, seconds() - start);
   }
   std::cout << s.surface << ',' << s.evaluator << ',' << s.controls << ',' << s.pieces << ',' << derivatives
             << ',' << points << ',' << number_of_points / best * 1e-6 << std::endl;
@@ -89,22 +88,20 @@ SM::Manifold_surface<Atlas> hierarchical_surface(double width)
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0, 1), detail(-1e-3, 1e-3);
   std::vector<SM::Hierarchical_embedding> charts;
-  for(int c = 0; c < Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < Atlas::number_of_charts; ++c) {
     std::vector<Vector2d> centres;
-    for(int k = 0; k < 6; ++k)
-      centres.emplace_back(uniform(random), uniform(random));
+    for (int k = 0; k < 6; ++k) centres.emplace_back(uniform(random), uniform(random));
     std::vector<SM::Hierarchical_embedding::Level> levels;
-    for(int level = 0; level <= 8; ++level) {
+    for (int level = 0; level <= 8; ++level) {
       const int cells = 4 << level, n = cells + 3;
       levels.push_back({cells, {}, {}});
-      for(int i = 0; i < n; ++i)
-        for(int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
           const Vector2d uv = Vector2d(i - 1, j - 1) / cells;
           const auto is_near = [&](const Vector2d& x) {
             return (uv - x).lpNorm<Eigen::Infinity>() * cells < width;
           };
-          if(level > 0 && std::none_of(centres.begin(), centres.end(), is_near))
-            continue;
+          if (level > 0 && std::none_of(centres.begin(), centres.end(), is_near)) continue;
           levels.back().indices.push_back(i * n + j);
           levels.back().coefficients.push_back(
             level == 0 ? shape(Atlas().point({c, uv.cwiseMax(.001).cwiseMin(.999)}))
@@ -122,10 +119,9 @@ std::vector<typename Atlas::Domain_point> coherent_points()
 {
   const int n = int(std::sqrt(double(number_of_points) / Atlas::number_of_charts)) + 1;
   std::vector<typename Atlas::Domain_point> points;
-  for(int tile = 0; tile < Atlas::number_of_charts; ++tile)
-    for(int i = 0; i < n; ++i)
-      for(int j = 0; j < n; ++j)
-        points.push_back(Atlas().tile_point(tile, (i + .5) / n, (j + .5) / n));
+  for (int tile = 0; tile < Atlas::number_of_charts; ++tile)
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) points.push_back(Atlas().tile_point(tile, (i + .5) / n, (j + .5) / n));
   points.resize(number_of_points);
   return points;
 }
@@ -135,7 +131,7 @@ void measure_manifold(double width)
 {
   const SM::Manifold_surface<Atlas> surface = hierarchical_surface<Atlas>(width);
   Subject s{Atlas::name, "", 0, 0};
-  for(int c = 0; c < Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < Atlas::number_of_charts; ++c) {
     s.controls += surface.chart_embedding(c).number_of_coefficients();
     s.pieces += surface.chart_embedding(c).number_of_leaves();
   }
@@ -159,7 +155,7 @@ void measure_manifold(double width)
 void measure_patch(int controls)
 {
   std::vector<Vector3d> coefficients(controls * controls);
-  for(int k = 0; k < controls * controls; ++k)
+  for (int k = 0; k < controls * controls; ++k)
     coefficients[k] = shape(Vector2d(Vector2d(k / controls, k % controls) / controls));
   const SM::Spline_patch patch({0, 0, 1, 1}, 3, controls, controls, coefficients);
   const Subject s{"bicubic patch", "scalar", coefficients.size(), std::size_t(controls - 3) * (controls - 3)};
@@ -192,10 +188,9 @@ struct Control_mesh {
   Control_mesh(int n, bool has_triangles) : is_loop(has_triangles)
   {
     const SM::Tile_grid<SM::Sphere_atlas> grid(n);
-    for(const Vector3d& p : grid.domain_points())
-      points.push_back(shape(p));
-    for(const auto& [a, b, c, d] : grid.cells()) {
-      if(has_triangles)
+    for (const Vector3d& p : grid.domain_points()) points.push_back(shape(p));
+    for (const auto& [a, b, c, d] : grid.cells()) {
+      if (has_triangles)
         indices.insert(indices.end(), {a, b, c, a, c, d});
       else
         indices.insert(indices.end(), {a, b, c, d});
@@ -219,8 +214,7 @@ struct Control_mesh {
 
   Face_point face_point(int face, double u, double v) const
   {
-    if(is_loop && u + v > 1)
-      return {face, {1 - u, 1 - v}};
+    if (is_loop && u + v > 1) return {face, {1 - u, 1 - v}};
     return {face, {u, v}};
   }
 
@@ -230,7 +224,7 @@ struct Control_mesh {
     std::uniform_int_distribution<int> face(0, int(sizes.size()) - 1);
     std::uniform_real_distribution<double> uniform(0, 1);
     std::vector<Face_point> list;
-    for(int k = 0; k < number_of_points; ++k) {
+    for (int k = 0; k < number_of_points; ++k) {
       const double u = uniform(random), v = uniform(random);
       list.push_back(face_point(face(random), u, v));
     }
@@ -241,9 +235,8 @@ struct Control_mesh {
   {
     const int n = int(std::sqrt(double(number_of_points) / double(sizes.size()))) + 1;
     std::vector<Face_point> list;
-    for(int face = 0; face < int(sizes.size()); ++face)
-      for(int k = 0; k < n * n; ++k)
-        list.push_back(face_point(face, (k / n + .5) / n, (k % n + .5) / n));
+    for (int face = 0; face < int(sizes.size()); ++face)
+      for (int k = 0; k < n * n; ++k) list.push_back(face_point(face, (k / n + .5) / n, (k % n + .5) / n));
     list.resize(number_of_points);
     return list;
   }
@@ -260,7 +253,7 @@ void measure_bfr(const Control_mesh& mesh)
   const Bfr::RefinerSurfaceFactory<> factory(*refiner, Bfr::SurfaceFactory::Options());
   std::vector<Bfr::Surface<double>> surfaces(mesh.sizes.size());
   std::vector<std::vector<double>> patch_points(mesh.sizes.size());
-  for(std::size_t f = 0; f < surfaces.size(); ++f) {
+  for (std::size_t f = 0; f < surfaces.size(); ++f) {
     factory.InitVertexSurface(int(f), &surfaces[f]);
     patch_points[f].resize(3 * surfaces[f].GetNumPatchPoints());
     surfaces[f].PreparePatchPoints(mesh.points[0].data(), 3, patch_points[f].data(), 3);
@@ -316,10 +309,9 @@ void measure_osd(const Control_mesh& mesh)
   refiner->RefineAdaptive(options.GetRefineAdaptiveOptions());
   const std::unique_ptr<Far::PatchTable> table(Far::PatchTableFactory::Create(*refiner, options));
   std::vector<Vertex> vertices(refiner->GetNumVerticesTotal() + table->GetNumLocalPoints());
-  for(std::size_t k = 0; k < mesh.points.size(); ++k)
-    vertices[k].x = mesh.points[k];
+  for (std::size_t k = 0; k < mesh.points.size(); ++k) vertices[k].x = mesh.points[k];
   Vertex* from = vertices.data();
-  for(int level = 1; level <= refiner->GetMaxLevel(); ++level) {
+  for (int level = 1; level <= refiner->GetMaxLevel(); ++level) {
     Vertex* to = from + refiner->GetLevel(level - 1).GetNumVertices();
     Far::PrimvarRefinerReal<double>(*refiner).Interpolate(level, from, to);
     from = to;
@@ -327,9 +319,8 @@ void measure_osd(const Control_mesh& mesh)
   table->GetLocalPointStencilTable()->UpdateValues(vertices.data(),
                                                    vertices.data() + refiner->GetNumVerticesTotal());
   std::vector<float> xyz;
-  for(const Vertex& v : vertices)
-    for(int i = 0; i < 3; ++i)
-      xyz.push_back(float(v.x[i]));
+  for (const Vertex& v : vertices)
+    for (int i = 0; i < 3; ++i) xyz.push_back(float(v.x[i]));
   std::unique_ptr<Osd::CpuVertexBuffer> source(Osd::CpuVertexBuffer::Create(3, int(vertices.size())));
   source->UpdateData(xyz.data(), 0, int(vertices.size()));
   const std::unique_ptr<Osd::CpuPatchTable> patches(Osd::CpuPatchTable::Create(table.get()));
@@ -338,14 +329,13 @@ void measure_osd(const Control_mesh& mesh)
   const Subject s{mesh.scheme(), "OpenSubdiv Osd (float)", mesh.points.size(),
                   std::size_t(table->GetNumPatchesTotal())};
   std::vector<std::unique_ptr<Osd::CpuVertexBuffer>> out;
-  for(int k = 0; k < 6; ++k)
-    out.emplace_back(Osd::CpuVertexBuffer::Create(3, number_of_points));
+  for (int k = 0; k < 6; ++k) out.emplace_back(Osd::CpuVertexBuffer::Create(3, number_of_points));
   const Osd::BufferDescriptor xyz_of_3(0, 3, 3);
   Patch_coordinates coordinates;
   const auto run = [&](const char* name, const std::vector<Face_point>& p) {
     const auto find_patches = [&] {
       coordinates.list.clear();
-      for(const Face_point& q : p)
+      for (const Face_point& q : p)
         coordinates.list.emplace_back(*map.FindPatch(q.face, q.uv[0], q.uv[1]), float(q.uv[0]),
                                       float(q.uv[1]));
     };
@@ -376,15 +366,15 @@ void measure_osd(const Control_mesh& mesh)
 
 int main(int argc, char** argv)
 {
-  if(argc == 2 && std::strcmp(argv[1], "--quick") == 0) {
+  if (argc == 2 && std::strcmp(argv[1], "--quick") == 0) {
     number_of_points = 2000;
     repetitions = 1;
-  } else if(argc != 1) {
+  } else if (argc != 1) {
     std::cerr << "usage: evaluation_benchmark [--quick]\n";
     return 2;
   }
   std::cout << "surface,evaluator,controls,pieces,derivatives,points,million_points_per_second\n";
-  for(const double width : {1.5, 4.}) {
+  for (const double width : {1.5, 4.}) {
     measure_manifold<SM::Sphere_atlas>(width);
     measure_manifold<SM::Torus_atlas>(width * 0.8);
     measure_manifold<SM::Plane_atlas>(width * 2);
@@ -392,8 +382,8 @@ int main(int argc, char** argv)
   measure_patch(23);
   measure_patch(67);
 #ifdef SIMPLE_MANIFOLDS_HAS_OPENSUBDIV
-  for(const int n : {20, 55})
-    for(const bool is_loop : {false, true}) {
+  for (const int n : {20, 55})
+    for (const bool is_loop : {false, true}) {
       const Control_mesh mesh(n, is_loop);
       measure_bfr(mesh);
       measure_osd(mesh);

@@ -67,7 +67,7 @@ public:
   {
     squares_ += weight * x * x;
     weights_ += weight;
-    max_ = std::max(max_, x);
+    max_ = (std::max)(max_, x);
   }
   double rms() const { return std::sqrt(squares_ / weights_); }
   double max() const { return max_; }
@@ -93,13 +93,11 @@ public:
     std::mt19937 random(1);
     const auto number = [&] { return random() / 4294967296.; };
     for (std::size_t f = 0; f < map.number_of_faces(); ++f) {
-      if (map.is_virtual(f))
-        continue;
+      if (map.is_virtual(f)) continue;
       const SM::Triangle& t = map.face(f);
       const Eigen::Vector3d& a = map.point(t[0]);
       const Eigen::Vector3d cross = (map.point(t[1]) - a).cross(map.point(t[2]) - a);
-      if (!(cross.norm() > 0))
-        continue;
+      if (!(cross.norm() > 0)) continue;
       for (int k = 0; k < 3; ++k) {
         const double s = std::sqrt(number()), r = number();
         typename Map::Location at;
@@ -138,8 +136,7 @@ public:
     out_ << "mesh,domain,faces,vertices,method,tolerance,reached,controls,rms,max,parametric_rms,"
             "parametric_max,normal_degrees,wall_s,sampling_s,alone_s,jointly_s,refining_s,measuring_s,"
             "closest_point_s,samples_bytes,equations_bytes,peak_bytes\n";
-    if (!out_)
-      throw std::runtime_error("cannot write " + file);
+    if (!out_) throw std::runtime_error("cannot write " + file);
   }
 
   void add(const Row& r)
@@ -147,11 +144,10 @@ public:
     const auto& s = r.report.seconds;
     out_ << r.mesh << ',' << r.domain << ',' << r.faces << ',' << r.vertices << ',' << r.method << ','
          << r.tolerance << ',' << r.reached << ',' << r.controls << ',' << r.distance.rms() << ','
-         << r.distance.max() << ',' << r.parametric.rms() << ',' << r.parametric.max() << ','
-         << r.normal << ',' << r.wall << ',' << s.sampling << ',' << s.solving_alone << ','
-         << s.solving_jointly << ',' << s.refining << ',' << s.measuring << ','
-         << s.closest_point << ',' << r.report.bytes.samples << ',' << r.report.bytes.equations << ','
-         << r.peak_bytes << std::endl;
+         << r.distance.max() << ',' << r.parametric.rms() << ',' << r.parametric.max() << ',' << r.normal
+         << ',' << r.wall << ',' << s.sampling << ',' << s.solving_alone << ',' << s.solving_jointly << ','
+         << s.refining << ',' << s.measuring << ',' << s.closest_point << ',' << r.report.bytes.samples << ','
+         << r.report.bytes.equations << ',' << r.peak_bytes << std::endl;
     std::cout << r.mesh << ", " << r.method << ' ' << r.tolerance << ": " << r.controls << " controls, rms "
               << r.distance.rms() << ", max " << r.distance.max() << ", " << r.wall << " s"
               << (r.reached ? "" : " (tolerance not reached)") << std::endl;
@@ -209,8 +205,8 @@ void measure_quadrics(Mesh mesh, const Points& points, double diagonal, Row row,
                       Table& table)
 {
   row.method = "quadrics";
-  const auto euler = static_cast<long>(num_vertices(mesh)) - static_cast<long>(num_edges(mesh))
-                   + static_cast<long>(num_faces(mesh));
+  const auto euler = static_cast<long>(num_vertices(mesh)) - static_cast<long>(num_edges(mesh)) +
+                     static_cast<long>(num_faces(mesh));
   const auto edges = static_cast<std::size_t>(std::max(3 * (static_cast<long>(vertices) - euler), 6L));
   const double start = wall_seconds();
   using Policies = SMS::GarlandHeckbert_plane_policies<Mesh, Kernel>;
@@ -250,45 +246,44 @@ void measure_all(const std::string& name, const Mesh& mesh, const std::vector<do
   // angles rather than areas: 15 to 30 % less error than with the default map
   const SM::Any_map any = SM::map_to_canonical_surface<Tag>(
     mesh, SM::parameters::energy(SM::Energy::AMIPS).energy_lambda(0.1).area_floor(0.02));
-  std::visit([&](const auto& map) {
-    using Map = std::decay_t<decltype(map)>;
-    const Test_points<Map> points(map);
-    const bool has_one_chart = Map::Atlas::number_of_charts == 1; // then there is nothing to do jointly
-    Row row;
-    row.mesh = name;
-    row.domain = map.atlas().name;
-    row.faces = num_faces(mesh);
-    row.vertices = num_vertices(mesh);
+  std::visit(
+    [&](const auto& map) {
+      using Map = std::decay_t<decltype(map)>;
+      const Test_points<Map> points(map);
+      const bool has_one_chart = Map::Atlas::number_of_charts == 1; // then there is nothing to do jointly
+      Row row;
+      row.mesh = name;
+      row.domain = map.atlas().name;
+      row.faces = num_faces(mesh);
+      row.vertices = num_vertices(mesh);
 
-    SM::Fit_options options;
-    options.max_error = 0;
-    options.refinement = SM::Refinement::UNIFORM;
-    for (const std::size_t side : {7, 11, 19, 35, 67}) {
-      options.max_controls = Map::Atlas::number_of_charts * side * side;
-      if (options.max_controls > max_controls)
-        break;
-      options.joint_solve = SM::Joint_solve::NEVER;
-      measure_fit(map, points, row, "uniform", options, table);
-      if (has_one_chart)
-        continue;
-      options.joint_solve = SM::Joint_solve::AT_END;
-      measure_fit(map, points, row, "uniform_joint", options, table);
-    }
+      SM::Fit_options options;
+      options.max_error = 0;
+      options.refinement = SM::Refinement::UNIFORM;
+      for (const std::size_t side : {7, 11, 19, 35, 67}) {
+        options.max_controls = Map::Atlas::number_of_charts * side * side;
+        if (options.max_controls > max_controls) break;
+        options.joint_solve = SM::Joint_solve::NEVER;
+        measure_fit(map, points, row, "uniform", options, table);
+        if (has_one_chart) continue;
+        options.joint_solve = SM::Joint_solve::AT_END;
+        measure_fit(map, points, row, "uniform_joint", options, table);
+      }
 
-    options = SM::Fit_options();
-    options.max_controls = max_controls;
-    for (const double tolerance : tolerances) {
-      options.max_error = tolerance;
-      options.joint_solve = SM::Joint_solve::NEVER;
-      measure_fit(map, points, row, "hierarchical", options, table);
-      if (has_one_chart)
-        continue;
-      options.joint_solve = SM::Joint_solve::AT_END;
-      measure_fit(map, points, row, "hierarchical_joint", options, table);
-    }
-    for (std::size_t n = 250; n <= max_controls && n < 0.7 * num_vertices(mesh); n *= 2)
-      measure_quadrics(mesh, points, map.diagonal(), row, n, table);
-  }, any);
+      options = SM::Fit_options();
+      options.max_controls = max_controls;
+      for (const double tolerance : tolerances) {
+        options.max_error = tolerance;
+        options.joint_solve = SM::Joint_solve::NEVER;
+        measure_fit(map, points, row, "hierarchical", options, table);
+        if (has_one_chart) continue;
+        options.joint_solve = SM::Joint_solve::AT_END;
+        measure_fit(map, points, row, "hierarchical_joint", options, table);
+      }
+      for (std::size_t n = 250; n <= max_controls && n < 0.7 * num_vertices(mesh); n *= 2)
+        measure_quadrics(mesh, points, map.diagonal(), row, n, table);
+    },
+    any);
 }
 
 int run(int argc, char** argv)
@@ -297,8 +292,9 @@ int run(int argc, char** argv)
   std::string output = "fit_benchmark.csv", data = CGAL_DATA_DIR;
   std::size_t max_controls = 30000;
   int threads = 2;
-  std::vector<std::string> names = {"hand", "homer", "retinal", "camel", "armadillo", "bunny00", "knot1",
-                                    "elk", "rotor_small", "mannequin-devil", "nefertiti"};
+  std::vector<std::string> names = {"hand",        "homer",           "retinal",  "camel",
+                                    "armadillo",   "bunny00",         "knot1",    "elk",
+                                    "rotor_small", "mannequin-devil", "nefertiti"};
   std::vector<double> tolerances = {1e-2, 5e-3, 3e-3, 2e-3, 1e-3};
   auto add = options.add_options();
   add("help", "print this and end");

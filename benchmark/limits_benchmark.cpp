@@ -6,7 +6,7 @@
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/IO/surface_io.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
-#include <CGAL/Simple_manifolds/embedding/internal/Cholesky_solver.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Cholesky_solver.h>
 #include <CGAL/Simple_manifolds/tessellation/tessellate.h>
 
 #include <Eigen/SparseCholesky>
@@ -38,10 +38,10 @@ template <class F>
 double seconds(int calls, const F& f)
 {
   double best = 1e300;
-  for(int k = 0; k < calls; ++k) {
+  for (int k = 0; k < calls; ++k) {
     const auto start = std::chrono::steady_clock::now();
     f();
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    best = (std::min)(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   return best;
 }
@@ -51,8 +51,7 @@ void row(const char* phase, const std::string& method, std::size_t size, const c
          double bytes = 0)
 {
   std::cout << phase << ',' << method << ',' << size << ',' << unit << ',' << s << ',';
-  if(bytes > 0)
-    std::cout << bytes / s / 1e9;
+  if (bytes > 0) std::cout << bytes / s / 1e9;
   std::cout << std::endl;
 }
 
@@ -60,8 +59,7 @@ void memory()
 {
   std::vector<char> a(std::size_t(256) << 20, 1), b(a.size());
   const double s = seconds(5, [&] { std::memcpy(b.data(), a.data(), a.size()); });
-  if(b.back() != 1)
-    throw std::runtime_error("memcpy did not copy");
+  if (b.back() != 1) throw std::runtime_error("memcpy did not copy");
   row("copy", "memcpy", a.size(), "bytes", s, 2. * double(a.size()));
 }
 
@@ -70,11 +68,11 @@ SM::internal::Sparse_matrix normal_matrix(int n)
 {
   std::vector<Eigen::Triplet<double>> entries;
   const double mass[] = {2416 / 5040., 1191 / 5040., 120 / 5040., 1 / 5040.}; // of cardinal cubic B-splines
-  for(int i = 0; i < n; ++i)
-    for(int j = 0; j < n; ++j)
-      for(int k = i; k < std::min(i + 4, n); ++k)
-        for(int l = std::max(0, j - 3); l < std::min(j + 4, n); ++l)
-          if(k * n + l >= i * n + j) {
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (int k = i; k < (std::min)(i + 4, n); ++k)
+        for (int l = (std::max)(0, j - 3); l < (std::min)(j + 4, n); ++l)
+          if (k * n + l >= i * n + j) {
             const double ridge = k == i && l == j ? 1e-3 : 0;
             entries.emplace_back(k * n + l, i * n + j, mass[k - i] * mass[std::abs(l - j)] + ridge);
           }
@@ -89,15 +87,14 @@ void factorisation(const char* name, const SM::internal::Sparse_matrix& a)
   Solver solver;
   const double analysis = seconds(1, [&] { solver.analyzePattern(a); });
   const double factor = seconds(1, [&] { solver.factorize(a); });
-  if(solver.info() != Eigen::Success)
-    throw std::runtime_error(std::string(name) + " cannot factor");
+  if (solver.info() != Eigen::Success) throw std::runtime_error(std::string(name) + " cannot factor");
   row("order", name, std::size_t(a.rows()), "unknowns", analysis);
   row("factor", name, std::size_t(a.rows()), "unknowns", factor);
 }
 
 void sparse_solves(bool is_quick)
 {
-  for(const int n : is_quick ? std::vector<int>{32} : std::vector<int>{64, 128, 256}) {
+  for (const int n : is_quick ? std::vector<int>{32} : std::vector<int>{64, 128, 256}) {
     const SM::internal::Sparse_matrix a = normal_matrix(n);
     const Eigen::MatrixX3d b = Eigen::MatrixX3d::Random(a.rows(), 3);
     factorisation<Eigen::SimplicialLLT<SM::internal::Sparse_matrix, Eigen::Lower>>("Eigen", a);
@@ -107,8 +104,7 @@ void sparse_solves(bool is_quick)
     std::size_t bytes = 0;
     Eigen::MatrixX3d x;
     const double s = seconds(1, [&] { x = SM::internal::solve_cholesky(a, b, bytes); });
-    if(!x.allFinite())
-      throw std::runtime_error("the solution is not finite");
+    if (!x.allFinite()) throw std::runtime_error("the solution is not finite");
     row("order+factor+solve", "ours", std::size_t(a.rows()), "unknowns", s);
   }
 }
@@ -123,11 +119,9 @@ void streams(bool is_quick)
   const std::size_t faces = map.number_of_faces();
   const double in_memory = double(faces) * sizeof(SM::Triangle) + 3. * double(points.size()) * sizeof(double);
   bool is_valid = false;
-  const double certify = seconds(3, [&] {
-    is_valid = SM::certify(map.atlas(), map.domain_points(), map.faces()).is_valid();
-  });
-  if(!is_valid)
-    throw std::runtime_error("the map is not certified");
+  const double certify =
+    seconds(3, [&] { is_valid = SM::certify(map.atlas(), map.domain_points(), map.faces()).is_valid(); });
+  if (!is_valid) throw std::runtime_error("the map is not certified");
   row("certify", "ours", faces, "faces", certify, in_memory);
 
   namespace fs = std::filesystem;
@@ -139,8 +133,7 @@ void streams(bool is_quick)
   std::size_t read_faces = 0;
   const double read = seconds(2, [&] { read_faces = SM::read_map<Atlas>(file).number_of_faces(); });
   fs::remove(file);
-  if(read_faces != faces)
-    throw std::runtime_error("the map read has another number of faces");
+  if (read_faces != faces) throw std::runtime_error("the map read has another number of faces");
   row("read and certify map", "ours", faces, "faces", read, bytes);
 }
 
@@ -154,7 +147,7 @@ int main(int argc, char** argv)
     memory();
     sparse_solves(is_quick);
     streams(is_quick);
-  } catch(const std::exception& e) {
+  } catch (const std::exception& e) {
     std::cerr << "limits_benchmark: " << e.what() << '\n';
     return 1;
   }

@@ -92,24 +92,22 @@ public:
     out_ << "mesh,domain,method,faces,threads,energy,lambda,effort,wall_s,cpu_s,decimate_cpu_s,embed_cpu_s,"
             "certify_cpu_s,bytes_per_face,queries_per_cpu_s,faces_not_positive,angle,area,efficiency,"
             "symmetric_dirichlet,smallest_area\n";
-    if (!out_)
-      throw std::runtime_error("cannot write " + file);
+    if (!out_) throw std::runtime_error("cannot write " + file);
   }
 
   void add(const Row& r)
   {
     out_ << r.mesh << ',' << r.domain << ',' << r.method << ',' << r.faces << ',' << r.threads << ','
-         << r.energy << ',' << r.lambda << ',' << r.effort << ',' << r.wall << ',' << r.cpu << ',' << r.decimate << ','
-         << r.embed << ',' << r.certify << ',' << r.bytes_per_face << ',' << r.queries_per_second << ','
-         << r.not_positive << ',' << r.distortion.angle_mean << ',' << r.distortion.area_mean_abs_log10 << ','
-         << r.distortion.l2_efficiency << ',' << r.distortion.symmetric_dirichlet << ','
-         << r.distortion.smallest_domain_area << std::endl;
+         << r.energy << ',' << r.lambda << ',' << r.effort << ',' << r.wall << ',' << r.cpu << ','
+         << r.decimate << ',' << r.embed << ',' << r.certify << ',' << r.bytes_per_face << ','
+         << r.queries_per_second << ',' << r.not_positive << ',' << r.distortion.angle_mean << ','
+         << r.distortion.area_mean_abs_log10 << ',' << r.distortion.l2_efficiency << ','
+         << r.distortion.symmetric_dirichlet << ',' << r.distortion.smallest_domain_area << std::endl;
     std::cout << r.mesh << ' ' << r.faces << " faces, " << r.method << ' ' << r.energy;
-    if (r.energy == "amips")
-      std::cout << ' ' << r.lambda;
+    if (r.energy == "amips") std::cout << ' ' << r.lambda;
     std::cout << ' ' << r.effort << ", " << r.threads << " threads: " << r.wall << " s (cpu " << r.cpu
-              << "), " << r.bytes_per_face << " bytes per face, energy "
-              << r.distortion.symmetric_dirichlet << ", " << r.not_positive << " faces not positive" << std::endl;
+              << "), " << r.bytes_per_face << " bytes per face, energy " << r.distortion.symmetric_dirichlet
+              << ", " << r.not_positive << " faces not positive" << std::endl;
   }
 
 private:
@@ -131,8 +129,7 @@ double queries_per_second(const Map& map)
   }
   const double start = cpu_seconds();
   long sum = 0;
-  for (const auto& p : points)
-    sum += map.to_mesh(p).face;
+  for (const auto& p : points) sum += map.to_mesh(p).face;
   const double seconds = cpu_seconds() - start;
   return sum < 0 ? 0 : static_cast<double>(points.size()) / seconds;
 }
@@ -146,8 +143,8 @@ struct Setting {
 
 SM::Any_map map_mesh(const Mesh& mesh, const Setting& s, Phase_clock& phases)
 {
-  const auto np = SM::parameters::energy(s.energy).energy_lambda(s.lambda).effort(s.effort)
-                    .visitor(std::ref(phases));
+  const auto np =
+    SM::parameters::energy(s.energy).energy_lambda(s.lambda).effort(s.effort).visitor(std::ref(phases));
 #ifdef CGAL_LINKED_WITH_TBB
   if (s.threads > 1) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
@@ -161,8 +158,7 @@ SM::Any_map map_mesh(const Mesh& mesh, const Setting& s, Phase_clock& phases)
 void measure(const std::string& name, const Mesh& mesh, const Setting& s, Table& table)
 {
 #ifndef CGAL_LINKED_WITH_TBB
-  if (s.threads > 1)
-    return;
+  if (s.threads > 1) return;
 #endif
   Row r;
   r.mesh = name;
@@ -179,22 +175,25 @@ void measure(const std::string& name, const Mesh& mesh, const Setting& s, Table&
   r.cpu = cpu_seconds() - cpu;
   const double bytes = memory.bytes();
   r.decimate = phases.seconds["decimate"];
-  r.embed = phases.seconds["embed"];
+  r.embed = phases.seconds["lay out"];
   r.certify = phases.seconds["certify"];
-  std::visit([&](const auto& map) {
-    r.domain = map.atlas().name;
-    r.faces = map.number_of_faces();
-    r.bytes_per_face = bytes / static_cast<double>(r.faces);
-    r.not_positive = map.certificate().flipped + map.certificate().degenerate;
-    r.distortion = SM::distortion(map);
-    r.queries_per_second = queries_per_second(map);
-  }, any);
+  std::visit(
+    [&](const auto& map) {
+      r.domain = map.atlas().name;
+      r.faces = map.number_of_faces();
+      r.bytes_per_face = bytes / static_cast<double>(r.faces);
+      r.not_positive = map.certificate().flipped + map.certificate().degenerate;
+      r.distortion = SM::distortion(map);
+      r.queries_per_second = queries_per_second(map);
+    },
+    any);
   table.add(r);
 }
 
 /// Adds the row of a map to the plane that is not ours.
 template <class Graph, class Index, class Point, class UV_map>
-void add_flat(Row& r, const Graph& mesh, const Index& index, const Point& point, const UV_map& uv, Table& table)
+void add_flat(Row& r, const Graph& mesh, const Index& index, const Point& point, const UV_map& uv,
+              Table& table)
 {
   std::vector<Eigen::Vector3d> points(num_vertices(mesh));
   std::vector<Eigen::Vector2d> domain_points(points.size());
@@ -207,19 +206,18 @@ void add_flat(Row& r, const Graph& mesh, const Index& index, const Point& point,
   for (const auto f : faces(mesh)) {
     SM::Triangle t;
     int k = 0;
-    for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
-      t[k++] = index(v);
+    for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh)) t[k++] = index(v);
     triangles.push_back(t);
   }
   // Some parameterizers give mirror images: a face is wrong when most others are the other way round.
   std::size_t positive = 0, negative = 0;
   for (const SM::Triangle& t : triangles) {
-    const int sign
-      = SM::Plane_atlas().orientation(domain_points[t[0]], domain_points[t[1]], domain_points[t[2]]);
+    const int sign =
+      SM::Plane_atlas().orientation(domain_points[t[0]], domain_points[t[1]], domain_points[t[2]]);
     positive += sign > 0;
     negative += sign < 0;
   }
-  r.not_positive = triangles.size() - std::max(positive, negative);
+  r.not_positive = triangles.size() - (std::max)(positive, negative);
   r.distortion = SM::distortion(SM::Plane_atlas(), points, domain_points, triangles);
   table.add(r);
 }
@@ -246,8 +244,9 @@ void measure_parameterizer(const std::string& name, Mesh mesh, const std::string
     std::cout << name << ", " << method << ": CGAL's Error_code " << error << std::endl;
     return;
   }
-  add_flat(r, mesh, [](Mesh::Vertex_index v) { return static_cast<int>(v); },
-           [&](Mesh::Vertex_index v) { return mesh.point(v); }, uv, table);
+  add_flat(
+    r, mesh, [](Mesh::Vertex_index v) { return static_cast<int>(v); },
+    [&](Mesh::Vertex_index v) { return mesh.point(v); }, uv, table);
 }
 
 /// Three vertices far from each other: the one farthest from the first vertex, and so on.
@@ -258,7 +257,7 @@ std::vector<Mesh::Vertex_index> far_vertices(const Mesh& mesh)
     const auto distance = [&](Mesh::Vertex_index v) {
       double least = 1e300;
       for (const auto c : chosen)
-        least = std::min(least, CGAL::squared_distance(mesh.point(c), mesh.point(v)));
+        least = (std::min)(least, CGAL::squared_distance(mesh.point(c), mesh.point(v)));
       return least;
     };
     chosen.push_back(*std::max_element(mesh.vertices().begin(), mesh.vertices().end(),
@@ -287,12 +286,10 @@ void measure_orbifold(const std::string& name, Mesh mesh, Table& table)
   std::list<Mesh::Edge_index> path;
   SMP::compute_shortest_paths_between_cones(mesh, cones.begin(), cones.end(), path);
   Seam_mesh cut(mesh, edge_on_seam, vertex_on_seam);
-  for (const auto e : path)
-    cut.add_seam(source(e, mesh), target(e, mesh));
+  for (const auto e : path) cut.add_seam(source(e, mesh), target(e, mesh));
   boost::unordered_map<Seam_vertex, int> index;
   int count = 0;
-  for (const auto v : vertices(cut))
-    index[v] = count++;
+  for (const auto v : vertices(cut)) index[v] = count++;
   boost::unordered_map<Seam_vertex, SMP::Cone_type> cone_types;
   SMP::Error_code error = SMP::ERROR_WRONG_PARAMETER;
   if (SMP::locate_cones(cut, cones.begin(), cones.end(), cone_types))
@@ -306,8 +303,9 @@ void measure_orbifold(const std::string& name, Mesh mesh, Table& table)
     std::cout << name << ", " << r.method << ": CGAL's Error_code " << error << std::endl;
     return;
   }
-  add_flat(r, cut, [&](Seam_vertex v) { return index.at(v); },
-           [&](Seam_vertex v) { return mesh.point(target(Mesh::Halfedge_index(v), mesh)); }, uv, table);
+  add_flat(
+    r, cut, [&](Seam_vertex v) { return index.at(v); },
+    [&](Seam_vertex v) { return mesh.point(target(Mesh::Halfedge_index(v), mesh)); }, uv, table);
 }
 
 Mesh read(const std::string& folder, const std::string& name)
@@ -329,8 +327,7 @@ void measure_all(const std::string& name, const Mesh& mesh, Table& table)
   s = Setting();
   s.effort = SM::Effort::FAST;
   measure(name, mesh, s, table);
-  if (!is_small)
-    return;
+  if (!is_small) return;
   s.effort = SM::Effort::QUALITY;
   measure(name, mesh, s, table);
   s = Setting();
@@ -370,16 +367,14 @@ int run(int argc, char** argv)
     return 0;
   }
   const bool is_quick = values["quick"].as<bool>();
-  if (is_quick && values["mesh"].empty())
-    names = {"hand", "knot1", "three_peaks"};
+  if (is_quick && values["mesh"].empty()) names = {"hand", "knot1", "three_peaks"};
 
   Table table(output);
   for (const std::string& name : names) {
     Mesh mesh = read(data, name);
     for (int loop = 0;; ++loop) {
       measure_all(loop == 0 ? name : name + "_loop" + std::to_string(loop), mesh, table);
-      if (is_quick || 4 * num_faces(mesh) > largest)
-        break;
+      if (is_quick || 4 * num_faces(mesh) > largest) break;
       CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
     }
   }

@@ -5,7 +5,7 @@
 #include <CGAL/Simple_manifolds/correspondence/criteria.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
-#include <CGAL/Simple_manifolds/correspondence/paper/map_by_partition.h>
+#include <CGAL/Simple_manifolds/paper/map/map_by_partition.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -35,15 +35,17 @@ void row(const std::string& name, const Mesh& mesh, const char* method, const Ma
   try {
     const SM::Any_map any = make_map();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    std::visit([&](const auto& map) {
-      const SM::Criteria_report c = SM::criteria_report(map);
-      const SM::Distortion d = SM::distortion(map);
-      std::cout << "ok," << std::decay_t<decltype(map)>::Atlas::name << ',' << seconds;
-      for (const double x : {c.largest_deviation, double(c.charts.stars_without_chart),
-                             double(c.vertices_outside), c.convex_share(), d.angle_mean,
-                             d.area_mean_abs_log10, d.symmetric_dirichlet, d.smallest_domain_area})
-        std::cout << ',' << x;
-    }, any);
+    std::visit(
+      [&](const auto& map) {
+        const SM::Criteria_report c = SM::criteria_report(map);
+        const SM::Distortion d = SM::distortion(map);
+        std::cout << "ok," << std::decay_t<decltype(map)>::Atlas::name << ',' << seconds;
+        for (const double x : {c.largest_deviation, double(c.charts.stars_without_chart),
+                               double(c.vertices_outside), c.convex_share(), d.angle_mean,
+                               d.area_mean_abs_log10, d.symmetric_dirichlet, d.smallest_domain_area})
+          std::cout << ',' << x;
+      },
+      any);
   } catch (const SM::Partition_error& e) {
     std::cout << SM::Partition_error::name(e.step()) << ",,,,,,,,,,";
   } catch (const SM::Numeric_error&) {
@@ -60,8 +62,8 @@ int main(int argc, char** argv)
   const std::string only = argc > 2 ? argv[2] : ""; // a part of the file names
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ".off"
-        && entry.path().filename().string().find(only) != std::string::npos)
+    if (entry.path().extension() == ".off" &&
+        entry.path().filename().string().find(only) != std::string::npos)
       files.push_back(entry.path());
   std::sort(files.begin(), files.end());
 
@@ -80,14 +82,16 @@ int main(int argc, char** argv)
       continue;
     const std::string name = file.stem().string();
     SM::Partition_report report;
-    row(name, mesh, "paper",
-        [&] { return SM::map_by_partition(mesh, SM::parameters::partition_report(std::ref(report))); },
-        [&] {
-          return std::to_string(report.subdivisions) + ',' + std::to_string(report.removed_vertices) + ','
-               + std::to_string(report.equalization.rounds) + ','
-               + (report.equalization.has_stopped_by_rule ? "yes" : "no");
-        });
-    row(name, mesh, "default", [&] { return SM::map_to_canonical_surface(mesh); }, [] { return ",,,"; });
+    row(
+      name, mesh, "paper",
+      [&] { return SM::map_by_partition(mesh, SM::parameters::partition_report(std::ref(report))); },
+      [&] {
+        return std::to_string(report.subdivisions) + ',' + std::to_string(report.removed_vertices) + ',' +
+               std::to_string(report.equalization.rounds) + ',' +
+               (report.equalization.has_stopped_by_rule ? "yes" : "no");
+      });
+    row(
+      name, mesh, "default", [&] { return SM::map_to_canonical_surface(mesh); }, [] { return ",,,"; });
   }
   return EXIT_SUCCESS;
 }

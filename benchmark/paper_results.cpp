@@ -10,9 +10,9 @@
 #include <CGAL/Simple_manifolds/correspondence/criteria.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
-#include <CGAL/Simple_manifolds/correspondence/paper/map_by_partition.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
-#include <CGAL/Simple_manifolds/embedding/paper/fit_patch_surface.h>
+#include <CGAL/Simple_manifolds/paper/fit/fit_patch_surface.h>
+#include <CGAL/Simple_manifolds/paper/map/map_by_partition.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -42,8 +42,11 @@ struct Paper_mesh {
   const char* name;
   const char* patches; // per chart, in the paper
 };
-const Paper_mesh paper_meshes[] = {{"banana", "2-4"}, {"fish", "2-5"}, {"gumby", "no surface"},
-                                   {"gumby_thin_arms", ""}, {"torus", "no surface"}};
+const Paper_mesh paper_meshes[] = {{"banana", "2-4"},
+                                   {"fish", "2-5"},
+                                   {"gumby", "no surface"},
+                                   {"gumby_thin_arms", ""},
+                                   {"torus", "no surface"}};
 
 // A column of the tables: of that of the maps, or of that of the surfaces.
 struct Figure {
@@ -171,8 +174,8 @@ void fit_hierarchically(const Map& map, std::size_t controls, const std::filesys
   double seconds = 0;
   SM::Fit_report fit;
   const auto surface = timed(seconds, [&] {
-    return SM::fit_surface(
-      map, SM::parameters::rms_error(1e-9).max_controls(controls).fit_report(std::ref(fit)));
+    return SM::fit_surface(map,
+                           SM::parameters::rms_error(1e-9).max_controls(controls).fit_report(std::ref(fit)));
   });
   row.values["fit_seconds"] = shown(seconds);
   add_figures_of_fit(fit, row);
@@ -185,8 +188,7 @@ void add_rows(const std::string& name, const Mesh& mesh, const std::filesystem::
 {
   Row paper{name, "paper", {}}, mixed{name, "mixed", {}}, standard{name, "default", {}};
   for (const Paper_mesh& m : paper_meshes)
-    if (m.name == name)
-      paper.values["paper_patches"] = m.patches;
+    if (m.name == name) paper.values["paper_patches"] = m.patches;
 
   double seconds = 0;
   SM::Partition_report partition;
@@ -195,10 +197,12 @@ void add_rows(const std::string& name, const Mesh& mesh, const std::filesystem::
   });
   paper.values["map_seconds"] = shown(seconds);
   paper.values["subdivisions"] = std::to_string(partition.subdivisions);
-  std::visit([&](const auto& map) {
-    add_figures_of_map(map, paper);
-    fit_patches(map, folder / "paper", paper);
-  }, paper_map);
+  std::visit(
+    [&](const auto& map) {
+      add_figures_of_map(map, paper);
+      fit_patches(map, folder / "paper", paper);
+    },
+    paper_map);
 
   const SM::Map_options o = SM::map_options_for_fitting();
   const SM::Any_map default_map = timed(seconds, [&] {
@@ -206,25 +210,24 @@ void add_rows(const std::string& name, const Mesh& mesh, const std::filesystem::
       mesh, SM::parameters::energy(o.energy).energy_lambda(o.lambda).area_floor(o.area_floor));
   });
   standard.values["map_seconds"] = shown(seconds);
-  std::visit([&](const auto& map) {
-    add_figures_of_map(map, standard);
-    const std::size_t controls = fit_patches(map, folder / "mixed", mixed);
-    fit_hierarchically(map, controls, folder / "default", standard);
-  }, default_map);
-  for (const Row& row : {paper, mixed, standard})
-    rows.push_back(row);
+  std::visit(
+    [&](const auto& map) {
+      add_figures_of_map(map, standard);
+      const std::size_t controls = fit_patches(map, folder / "mixed", mixed);
+      fit_hierarchically(map, controls, folder / "default", standard);
+    },
+    default_map);
+  for (const Row& row : {paper, mixed, standard}) rows.push_back(row);
 }
 
 void write_csv(const std::string& file, const std::vector<Row>& rows)
 {
   SM::Atomic_file output(file);
   output.stream() << "mesh,method";
-  for (const Figure& f : figures)
-    output.stream() << ',' << f.name;
+  for (const Figure& f : figures) output.stream() << ',' << f.name;
   for (const Row& row : rows) {
     output.stream() << '\n' << row.mesh << ',' << row.method;
-    for (const Figure& f : figures)
-      output.stream() << ',' << row.value(f.name);
+    for (const Figure& f : figures) output.stream() << ',' << row.value(f.name);
   }
   output.stream() << '\n';
   output.commit();
@@ -242,12 +245,10 @@ void print_table(std::ostream& out, const std::vector<Row>& rows, bool is_of_map
     }
   out << '\n' << line << '\n';
   for (const Row& row : rows) {
-    if (is_of_maps && row.value("valid").empty())
-      continue; // a fit to the map of another row
+    if (is_of_maps && row.value("valid").empty()) continue; // a fit to the map of another row
     out << "| " << row.mesh << " | " << row.method << " |";
     for (const Figure& f : figures)
-      if (f.is_of_map == is_of_maps)
-        out << ' ' << row.value(f.name) << " |";
+      if (f.is_of_map == is_of_maps) out << ' ' << row.value(f.name) << " |";
     out << '\n';
   }
 }
@@ -270,8 +271,7 @@ try {
   std::vector<std::string> files;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
-    if (argument == "-h" || argument == "--help")
-      return usage(EXIT_SUCCESS);
+    if (argument == "-h" || argument == "--help") return usage(EXIT_SUCCESS);
     if (argument == "-o" && i + 1 < argc)
       folder = argv[++i];
     else if (argument[0] == '-')

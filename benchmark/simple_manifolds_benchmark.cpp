@@ -1,7 +1,7 @@
 // Times and qualities of every step on three real meshes; see README.md in this folder.
 
-#include <CGAL/simple_manifolds.h>
 #include <CGAL/Simple_manifolds/IO/read_mesh.h>
+#include <CGAL/simple_manifolds.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -68,16 +68,14 @@ void atlas(benchmark::State& state, const Scenario& s)
 {
   const SM::Partition_of_unity<typename Scenario::Atlas> partition;
   for (auto _ : state)
-    for (const auto& p : s.points)
-      benchmark::DoNotOptimize(partition.weight_jets(p));
+    for (const auto& p : s.points) benchmark::DoNotOptimize(partition.weight_jets(p));
   set_rate(state, "points/s", s.points.size());
 }
 
 template <class Scenario>
 void map(benchmark::State& state, const Scenario& s)
 {
-  for (auto _ : state)
-    benchmark::DoNotOptimize(map_mesh(s.map.atlas(), s.mesh));
+  for (auto _ : state) benchmark::DoNotOptimize(map_mesh(s.map.atlas(), s.mesh));
   set_rate(state, "faces/s", s.map.number_of_faces());
   const SM::Distortion d = SM::distortion(s.map);
   state.counters["angle"] = d.angle_mean;
@@ -89,8 +87,7 @@ template <class Scenario>
 void locate(benchmark::State& state, const Scenario& s)
 {
   for (auto _ : state)
-    for (const auto& p : s.points)
-      benchmark::DoNotOptimize(s.map.to_mesh(p));
+    for (const auto& p : s.points) benchmark::DoNotOptimize(s.map.to_mesh(p));
   set_rate(state, "points/s", s.points.size());
 }
 
@@ -110,8 +107,7 @@ template <class Scenario>
 void evaluate(benchmark::State& state, const Scenario& s)
 {
   for (auto _ : state)
-    for (const auto& p : s.points)
-      benchmark::DoNotOptimize(s.surface.jet(p));
+    for (const auto& p : s.points) benchmark::DoNotOptimize(s.surface.jet(p));
   set_rate(state, "points/s", s.points.size());
 }
 
@@ -138,9 +134,9 @@ void add(const std::string& mesh)
     return s;
   };
   const auto step = [&](const char* name, void (*run)(benchmark::State&, const S&)) {
-    benchmark::RegisterBenchmark((name + ("/" + mesh)).c_str(),
-                                 [=](benchmark::State& state) { run(state, scenario()); })
-      ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark((name + ("/" + mesh)).c_str(), [=](benchmark::State& state) {
+      run(state, scenario());
+    })->Unit(benchmark::kMillisecond);
   };
   step("atlas", atlas<S>);
   step("map", map<S>);

@@ -31,16 +31,14 @@ struct Mesh {
 
 Point rounded(Point p)
 {
-  for (double& x : p)
-    x = std::round(1e5 * x) / 1e5 + 0.; // no -0
+  for (double& x : p) x = std::round(1e5 * x) / 1e5 + 0.; // no -0
   return p;
 }
 
 double squared_distance(const Point& p, const Point& q)
 {
   double sum = 0;
-  for (int k = 0; k < 3; ++k)
-    sum += (p[k] - q[k]) * (p[k] - q[k]);
+  for (int k = 0; k < 3; ++k) sum += (p[k] - q[k]) * (p[k] - q[k]);
   return sum;
 }
 
@@ -82,8 +80,7 @@ std::vector<double> equal_parts(const std::vector<Point>& polygon, int n, double
   std::size_t k = 0;
   for (int i = 0; i < n; ++i) {
     const double wanted = (i + shift) / n * length.back();
-    while (k + 2 < length.size() && length[k + 1] <= wanted)
-      ++k;
+    while (k + 2 < length.size() && length[k + 1] <= wanted) ++k;
     places.push_back(k + (wanted - length[k]) / (length[k + 1] - length[k]));
   }
   return places;
@@ -101,9 +98,8 @@ std::vector<int> apportion(const std::vector<double>& lengths, int sum)
   const auto missing = [&](int i) { return lengths[i] / total * sum - parts[i]; };
   int rest = sum - std::accumulate(parts.begin(), parts.end(), 0);
   for (; rest != 0; rest += rest > 0 ? -1 : 1) {
-    const auto extreme = std::minmax_element(order.begin(), order.end(), [&](int i, int j) {
-      return missing(i) < missing(j) - 1e-9;
-    });
+    const auto extreme = std::minmax_element(order.begin(), order.end(),
+                                             [&](int i, int j) { return missing(i) < missing(j) - 1e-9; });
     rest > 0 ? ++parts[*extreme.second] : --parts[*extreme.first];
   }
   return parts;
@@ -116,9 +112,9 @@ void fill_strip(Mesh& mesh, const Ring& left, const Ring& right)
   const auto& p = mesh.points;
   std::size_t i = 0, j = 0;
   while (i + 1 < left.size() || j + 1 < right.size()) {
-    const bool is_left
-      = j + 1 == right.size()
-     || (i + 1 < left.size() && is_not_longer(p[left[i + 1]], p[right[j]], p[left[i]], p[right[j + 1]]));
+    const bool is_left =
+      j + 1 == right.size() ||
+      (i + 1 < left.size() && is_not_longer(p[left[i + 1]], p[right[j]], p[left[i]], p[right[j + 1]]));
     if (is_left) {
       mesh.triangles.push_back({left[i], left[i + 1], right[j]});
       ++i;
@@ -160,13 +156,11 @@ Mesh tube(const Sweep& sweep, int number_of_rings, int number_of_vertices, bool 
   std::vector<double> s_of_rings(number_of_rings, 0.); // the mean over several angles
   for (int k = 0; k < 24; ++k) {
     std::vector<Point> meridian;
-    for (int i = 0; i <= steps; ++i)
-      meridian.push_back(sweep(i / double(steps), k / 24.));
+    for (int i = 0; i <= steps; ++i) meridian.push_back(sweep(i / double(steps), k / 24.));
     const int parts = is_periodic ? number_of_rings : number_of_rings - 1;
     std::vector<double> places = equal_parts(meridian, parts, 0);
     places.push_back(steps);
-    for (int i = 0; i < number_of_rings; ++i)
-      s_of_rings[i] += places[i] / steps / 24;
+    for (int i = 0; i < number_of_rings; ++i) s_of_rings[i] += places[i] / steps / 24;
   }
 
   std::vector<std::vector<Point>> sections;
@@ -192,8 +186,7 @@ Mesh tube(const Sweep& sweep, int number_of_rings, int number_of_vertices, bool 
       mesh.points.push_back(rounded(sweep(s_of_rings[i], place / steps)));
     }
   }
-  for (int i = 0; i + 1 < number_of_rings; ++i)
-    join(mesh, rings[i], rings[i + 1]);
+  for (int i = 0; i + 1 < number_of_rings; ++i) join(mesh, rings[i], rings[i + 1]);
   if (is_periodic) {
     join(mesh, rings.back(), rings.front());
   } else {
@@ -206,37 +199,43 @@ Mesh tube(const Sweep& sweep, int number_of_rings, int number_of_vertices, bool 
 // A bent tube from the stem to the tip, with five ridges.
 Mesh banana()
 {
-  return tube([](double s, double a) -> Point {
-    const double stem = 0.17 + 0.05 * step(0.06, 0, s);
-    const double body = 0.47 * step(0.06, 0.45, s) * std::sqrt(1 - std::pow(step(0.5, 1.06, s), 1.5));
-    const double ridges = 1 + 0.06 * step(0.1, 0.3, s) * std::cos(10 * pi * a);
-    const double radius = (stem + body) * ridges * (1 - 0.45 * step(0.9, 1, s));
-    const double bend = (2.3 * s - 1.25) * (1 - 0.12 * step(0.2, 0, s)), x = radius * std::cos(2 * pi * a);
-    return {(2.6 + x) * std::sin(bend), 2.6 - (2.6 + x) * std::cos(bend), -radius * std::sin(2 * pi * a)};
-  }, 35, 504, false);
+  return tube(
+    [](double s, double a) -> Point {
+      const double stem = 0.17 + 0.05 * step(0.06, 0, s);
+      const double body = 0.47 * step(0.06, 0.45, s) * std::sqrt(1 - std::pow(step(0.5, 1.06, s), 1.5));
+      const double ridges = 1 + 0.06 * step(0.1, 0.3, s) * std::cos(10 * pi * a);
+      const double radius = (stem + body) * ridges * (1 - 0.45 * step(0.9, 1, s));
+      const double bend = (2.3 * s - 1.25) * (1 - 0.12 * step(0.2, 0, s)), x = radius * std::cos(2 * pi * a);
+      return {(2.6 + x) * std::sin(bend), 2.6 - (2.6 + x) * std::cos(bend), -radius * std::sin(2 * pi * a)};
+    },
+    35, 504, false);
 }
 
 // From the nose to the tail: ellipses, pulled out as fins above and below.
 Mesh fish()
 {
-  return tube([](double s, double a) -> Point {
-    const double up = std::cos(2 * pi * a), side = std::sin(2 * pi * a);
-    const double body = s < 0.36 ? std::pow(1 - std::pow(1 - s / 0.36, 2), 0.65) : 1 - step(0.36, 0.86, s);
-    const double tail = step(0.76, 1, s);
-    const double height = 0.14 + 0.62 * body + 0.7 * tail, width = 0.1 + 0.34 * body - 0.02 * tail;
-    const double fin = (up > 0 ? 0.5 * bump(0.25, 0.7, s) : 0.36 * bump(0.5, 0.78, s)) * std::pow(up, 8);
-    const double y = height * up + (up > 0 ? fin : -fin), x = 4 * s + 0.45 * tail * up * up + 0.5 * fin;
-    return {x, y, width * side};
-  }, 45, 1296, false);
+  return tube(
+    [](double s, double a) -> Point {
+      const double up = std::cos(2 * pi * a), side = std::sin(2 * pi * a);
+      const double body = s < 0.36 ? std::pow(1 - std::pow(1 - s / 0.36, 2), 0.65) : 1 - step(0.36, 0.86, s);
+      const double tail = step(0.76, 1, s);
+      const double height = 0.14 + 0.62 * body + 0.7 * tail, width = 0.1 + 0.34 * body - 0.02 * tail;
+      const double fin = (up > 0 ? 0.5 * bump(0.25, 0.7, s) : 0.36 * bump(0.5, 0.78, s)) * std::pow(up, 8);
+      const double y = height * up + (up > 0 ? fin : -fin), x = 4 * s + 0.45 * tail * up * up + 0.5 * fin;
+      return {x, y, width * side};
+    },
+    45, 1296, false);
 }
 
 // A ring torus that is thick at one place and thin at another.
 Mesh torus()
 {
-  return tube([](double s, double a) -> Point {
-    const double radius = 0.55 * (1 + 0.3 * std::cos(2 * pi * s)), x = 1.5 + radius * std::cos(2 * pi * a);
-    return {x * std::cos(2 * pi * s), x * std::sin(2 * pi * s), -radius * std::sin(2 * pi * a)};
-  }, 40, 800, true);
+  return tube(
+    [](double s, double a) -> Point {
+      const double radius = 0.55 * (1 + 0.3 * std::cos(2 * pi * s)), x = 1.5 + radius * std::cos(2 * pi * a);
+      return {x * std::cos(2 * pi * s), x * std::sin(2 * pi * s), -radius * std::sin(2 * pi * a)};
+    },
+    40, 800, true);
 }
 
 // ---- Figures of cubes -------------------------------------------------------------------------------------
@@ -247,8 +246,7 @@ Mesh figure(const std::vector<std::string>& picture, int rounds)
 {
   const int rows = static_cast<int>(picture.size());
   const auto is_inside = [&](int x, int y, int z) {
-    if (y < 0 || y >= rows || x < 0 || x >= static_cast<int>(picture[rows - 1 - y].size()))
-      return false;
+    if (y < 0 || y >= rows || x < 0 || x >= static_cast<int>(picture[rows - 1 - y].size())) return false;
     const char c = picture[rows - 1 - y][x];
     return c != '.' && 2 * std::abs(z) < c - '0';
   };
@@ -258,8 +256,7 @@ Mesh figure(const std::vector<std::string>& picture, int rounds)
   std::map<std::array<int, 3>, int> index;
   const auto vertex = [&](const std::array<int, 3>& corner) {
     const auto [place, is_new] = index.emplace(corner, static_cast<int>(mesh.points.size()));
-    if (is_new)
-      mesh.points.push_back({double(corner[0]), double(corner[1]), double(corner[2])});
+    if (is_new) mesh.points.push_back({double(corner[0]), double(corner[1]), double(corner[2])});
     return place->second;
   };
   for (int y = 0; y < rows; ++y)
@@ -269,8 +266,7 @@ Mesh figure(const std::vector<std::string>& picture, int rounds)
           for (const int side : {0, 1}) {
             std::array<int, 3> other{x, y, z};
             other[k] += 2 * side - 1;
-            if (!is_inside(x, y, z) || is_inside(other[0], other[1], other[2]))
-              continue;
+            if (!is_inside(x, y, z) || is_inside(other[0], other[1], other[2])) continue;
             std::array<int, 4> quad;
             for (int i = 0; i < 4; ++i) { // counterclockwise seen from the positive side
               std::array<int, 3> corner{x, y, z};
@@ -288,14 +284,12 @@ Mesh figure(const std::vector<std::string>& picture, int rounds)
     std::vector<int> count(mesh.points.size(), 0);
     for (const auto& quad : quads)
       for (int i = 0; i < 4; ++i, ++count[quad[(i + 1) % 4]]) // each edge once from either side
-        for (int k = 0; k < 3; ++k)
-          sum[quad[i]][k] += mesh.points[quad[(i + 1) % 4]][k];
+        for (int k = 0; k < 3; ++k) sum[quad[i]][k] += mesh.points[quad[(i + 1) % 4]][k];
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
       for (int k = 0; k < 3; ++k)
         mesh.points[v][k] += (round % 2 == 0 ? 0.6 : -0.62) * (sum[v][k] / count[v] - mesh.points[v][k]);
   }
-  for (Point& p : mesh.points)
-    p = rounded(p);
+  for (Point& p : mesh.points) p = rounded(p);
 
   for (const auto& [a, b, c, d] : quads) {
     const auto& p = mesh.points;
@@ -356,10 +350,8 @@ void write(const std::filesystem::path& file, const Mesh& mesh)
     std::snprintf(line, sizeof line, "%.5f %.5f %.5f\n", p[0], p[1], p[2]);
     out << line;
   }
-  for (const auto& t : mesh.triangles)
-    out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-  if (!out.flush())
-    throw std::runtime_error("cannot write " + file.string());
+  for (const auto& t : mesh.triangles) out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
 } // namespace

@@ -59,8 +59,12 @@ public:
     all.add_options()("input", po::value<std::string>()->required(), "");
     po::positional_options_description positional;
     positional.add("input", 1);
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional)
-                .style(style::unix_style & ~style::allow_guessing).run(), values_);
+    po::store(po::command_line_parser(argc, argv)
+                .options(all)
+                .positional(positional)
+                .style(style::unix_style & ~style::allow_guessing)
+                .run(),
+              values_);
     if (get<bool>("help")) {
       std::cout << "Usage: " << synopsis_ << "\n\n" << summary_ << "\n\n" << options_;
       throw Done();
@@ -79,7 +83,10 @@ public:
   bool has(const char* name) const { return values_.count(name) && !values_[name].defaulted(); }
 
   template <class T>
-  T get(const char* name) const { return values_[name].as<T>(); }
+  T get(const char* name) const
+  {
+    return values_[name].as<T>();
+  }
 
   void require_choice(const char* name, std::initializer_list<const char*> choices) const
   {
@@ -88,8 +95,8 @@ public:
       if (get<std::string>(name) == choice) return;
       list += (list.empty() ? "" : ", ") + std::string(choice);
     }
-    throw Usage_error(std::string("--") + name + " is one of " + list + ", not \"" + get<std::string>(name)
-                      + '"');
+    throw Usage_error(std::string("--") + name + " is one of " + list + ", not \"" + get<std::string>(name) +
+                      '"');
   }
 
   void require(bool is_right, const char* name, const std::string& range) const
@@ -105,8 +112,8 @@ private:
     require(threads >= 1 && threads <= 1024, "threads", "from 1 to 1024");
 #ifdef CGAL_LINKED_WITH_TBB
     // For the whole run, and never destroyed: that would start threads, which aborts when memory is short.
-    static const auto* const control
-      = new tbb::global_control(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+    static const auto* const control =
+      new tbb::global_control(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
     (void)control;
 #endif
   }

@@ -29,8 +29,7 @@ int main(int argc, char** argv)
     // No point of the surface is farther from the triangles than a thousandth of the diagonal.
     Mesh fine;
     SM::Tessellation_report report;
-    SM::tessellate(surface, fine,
-                   SM::parameters::chord_error(1e-3).tessellation_report(std::ref(report)));
+    SM::tessellate(surface, fine, SM::parameters::chord_error(1e-3).tessellation_report(std::ref(report)));
     std::cout << fine.number_of_faces() << " faces, " << report.levels << " levels, "
               << (report.is_fine_enough ? "fine enough" : "too coarse") << '\n';
     if (!CGAL::is_closed(fine)) return EXIT_FAILURE;

@@ -27,8 +27,7 @@ int main(int argc, char** argv)
     // Built once, asked as often as one likes, from several threads if need be.
     const SM::Closest_point_finder finder(surface);
     double largest = 0;
-    for (const Eigen::Vector3d& x : map.points())
-      largest = std::max(largest, finder(x).distance);
+    for (const Eigen::Vector3d& x : map.points()) largest = (std::max)(largest, finder(x).distance);
     std::cout << "the vertices are up to " << largest / map.diagonal() << " of the diagonal away\n";
 
     // The surface is closed: the sign of the distance tells inside from outside.

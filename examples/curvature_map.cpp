@@ -25,7 +25,7 @@ using Vertex = Mesh::Vertex_index;
 /// Blue for -1 or less, white for 0, red for 1 or more.
 CGAL::IO::Color colour(double x)
 {
-  x = std::min(std::max(x, -1.), 1.);
+  x = (std::min)(std::max(x, -1.), 1.);
   const auto pale = static_cast<unsigned char>(std::lround(255 * (1 - std::abs(x))));
   return x < 0 ? CGAL::IO::Color(pale, pale, 255) : CGAL::IO::Color(255, pale, pale);
 }
@@ -56,16 +56,15 @@ int main(int argc, char** argv)
     const auto strong = sizes.begin() + sizes.size() * 19 / 20;
     std::nth_element(sizes.begin(), strong, sizes.end());
     auto colours = fine.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
-    for (const Vertex v : fine.vertices())
-      colours[v] = colour(mean[v] / *strong);
+    for (const Vertex v : fine.vertices()) colours[v] = colour(mean[v] / *strong);
 
     std::ofstream file("curvature_map.ply");
     if (!CGAL::IO::write_PLY(file, fine)) {
       std::cerr << "cannot write curvature_map.ply\n";
       return EXIT_FAILURE;
     }
-    std::cout << fine.number_of_vertices() << " vertices in curvature_map.ply; |H| is below "
-              << *strong << " at 95 % of them\n";
+    std::cout << fine.number_of_vertices() << " vertices in curvature_map.ply; |H| is below " << *strong
+              << " at 95 % of them\n";
   } catch (const SM::Error& e) {
     std::cerr << e.what() << std::endl;
     return EXIT_FAILURE;

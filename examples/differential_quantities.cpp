@@ -29,7 +29,7 @@ int main(int argc, char** argv)
     for (std::size_t v = 0; v < map.number_of_vertices(); ++v) {
       const SM::Jet jet = surface.jet(map.domain_point(v));
       const auto [k1, k2] = SM::principal_curvatures(jet); // k1 >= k2; both 1 on the unit sphere
-      const double k = std::max(std::abs(k1), std::abs(k2));
+      const double k = (std::max)(std::abs(k1), std::abs(k2));
       if (k > largest) {
         largest = k;
         sharpest = v;
@@ -43,8 +43,8 @@ int main(int argc, char** argv)
     centre.barycentric = Eigen::Vector3d::Constant(1. / 3);
     const Eigen::Vector3d p = map.to_domain(centre);
     std::cout << "at the centre of face 0: normal " << surface.normal(p).transpose() << ", mean curvature "
-              << surface.mean_curvature(p) << ", Gaussian curvature "
-              << surface.gaussian_curvature(p) << '\n';
+              << surface.mean_curvature(p) << ", Gaussian curvature " << surface.gaussian_curvature(p)
+              << '\n';
     //! [jet]
   } catch (const SM::Error& e) {
     std::cerr << e.what() << std::endl;

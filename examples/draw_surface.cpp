@@ -1,8 +1,8 @@
 // Shows a map, then a surface that is fitted to it, in windows of CGAL's viewer.
 
-#include <CGAL/simple_manifolds.h>
 #include <CGAL/Simple_manifolds/IO/read_mesh.h>
 #include <CGAL/Simple_manifolds/draw.h>
+#include <CGAL/simple_manifolds.h>
 
 #include <iostream>
 

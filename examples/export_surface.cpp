@@ -41,7 +41,7 @@ struct Request {
 Colour colour(double x)
 {
   const Colour end = x < 0 ? Colour(0.23, 0.30, 0.75) : Colour(0.71, 0.02, 0.15);
-  const double t = std::min(std::abs(x), 1.);
+  const double t = (std::min)(std::abs(x), 1.);
   return (1 - t) * Colour(0.87, 0.87, 0.87) + t * end;
 }
 
@@ -94,10 +94,14 @@ auto bake_curvature(const Surface& surface, const SM::Charted_mesh& mesh, int te
 void write(const std::string& file, const SM::Charted_mesh& mesh)
 {
   const std::string extension = std::filesystem::path(file).extension().string();
-  if (extension == ".obj") SM::write_obj(file, mesh);
-  else if (extension == ".glb") SM::write_gltf(file, mesh);
-  else if (extension == ".vtp") SM::write_vtp(file, mesh);
-  else SM::write_ply(file, mesh);
+  if (extension == ".obj")
+    SM::write_obj(file, mesh);
+  else if (extension == ".glb")
+    SM::write_gltf(file, mesh);
+  else if (extension == ".vtp")
+    SM::write_vtp(file, mesh);
+  else
+    SM::write_ply(file, mesh);
 }
 //! [write]
 
@@ -106,8 +110,10 @@ SM::Charted_mesh mesh_of(const SM::Manifold_map<Atlas>& map, const Request& requ
 {
   if (!request.map.empty()) throw po::error("only a surface has --map");
   SM::Charted_mesh mesh = SM::charted_mesh(map);
-  if (request.texture == "checker") mesh.images = SM::png_images(bake_checker<Atlas>(request.texels));
-  else if (request.texture != "none") throw po::error("the mesh of a map has only --texture checker");
+  if (request.texture == "checker")
+    mesh.images = SM::png_images(bake_checker<Atlas>(request.texels));
+  else if (request.texture != "none")
+    throw po::error("the mesh of a map has only --texture checker");
   return mesh;
 }
 
@@ -154,9 +160,12 @@ SM::Charted_mesh mesh_of_file(const Request& request)
   if (std::filesystem::path(request.input).extension() == ".ply")
     return std::visit([&](const auto& map) { return mesh_of(map, request); }, SM::read_map(request.input));
   switch (SM::read_surface_header(request.input).smoothness) {
-    case 1: return mesh_of_surface<1>(request);
-    case 3: return mesh_of_surface<3>(request);
-    default: return mesh_of_surface<2>(request);
+  case 1:
+    return mesh_of_surface<1>(request);
+  case 3:
+    return mesh_of_surface<3>(request);
+  default:
+    return mesh_of_surface<2>(request);
   }
 }
 
@@ -171,26 +180,26 @@ bool is_same_file(const std::string& a, const std::string& b)
 Request request_of(int argc, char** argv)
 {
   Request r;
-  po::options_description options(
-    "export_surface SURFACE.json|MAP.ply -o FILE.{obj,glb,vtp,ply} [options]", 100);
-  options.add_options()
-    ("help", "print this and end")
-    ("output,o", po::value(&r.output)->required(), "file to write: .obj (with .mtl), .glb, .vtp or .ply")
-    ("map", po::value(&r.map), "map.ply that the surface was fitted to: adds the error as a field")
-    ("texture", po::value(&r.texture)->default_value("none"),
-     "images of the charts (.obj, .glb): none, normals, curvature or checker")
-    ("texels", po::value(&r.texels)->default_value(256), "texels per side of the image of a chart")
-    ("subdivisions", po::value(&r.subdivisions)->default_value(40), "cells per side of a tile")
-    ("chord-error", po::value(&r.chord_error)->default_value(0, "none"),
-     "instead: the largest distance between triangles and surface, fraction of the diagonal")
-    ("input", po::value(&r.input)->required(), "surface.json or map.ply, as fit_mesh writes them");
+  po::options_description options("export_surface SURFACE.json|MAP.ply -o FILE.{obj,glb,vtp,ply} [options]",
+                                  100);
+  options.add_options()("help", "print this and end")("output,o", po::value(&r.output)->required(),
+                                                      "file to write: .obj (with .mtl), .glb, .vtp or .ply")(
+    "map", po::value(&r.map), "map.ply that the surface was fitted to: adds the error as a field")(
+    "texture", po::value(&r.texture)->default_value("none"),
+    "images of the charts (.obj, .glb): none, normals, curvature or checker")(
+    "texels", po::value(&r.texels)->default_value(256), "texels per side of the image of a chart")(
+    "subdivisions", po::value(&r.subdivisions)->default_value(40), "cells per side of a tile")(
+    "chord-error", po::value(&r.chord_error)->default_value(0, "none"),
+    "instead: the largest distance between triangles and surface, fraction of the diagonal")(
+    "input", po::value(&r.input)->required(), "surface.json or map.ply, as fit_mesh writes them");
   po::positional_options_description positional;
   positional.add("input", 1);
   po::variables_map values;
   po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(), values);
   if (values.count("help")) {
-    std::cout << options << "Exit status: 0 success, 2 usage, or the file cannot be written, 3 unreadable input,\n"
-                            "4 too little memory.\n";
+    std::cout << options
+              << "Exit status: 0 success, 2 usage, or the file cannot be written, 3 unreadable input,\n"
+                 "4 too little memory.\n";
     std::exit(0);
   }
   po::notify(values);
@@ -203,8 +212,7 @@ Request request_of(int argc, char** argv)
     throw po::error("--texture is one of none, normals, curvature, checker");
   if (!has_images && r.texture != "none") throw po::error("only .obj and .glb have a texture");
   if (r.texels < 2 || r.texels > 8192) throw po::error("--texels must be from 2 to 8192");
-  if (r.subdivisions < 1 || r.subdivisions > 4096)
-    throw po::error("--subdivisions must be from 1 to 4096");
+  if (r.subdivisions < 1 || r.subdivisions > 4096) throw po::error("--subdivisions must be from 1 to 4096");
   if (!values["chord-error"].defaulted() && !(r.chord_error >= 1e-6))
     throw po::error("--chord-error must be at least 0.000001");
   std::string materials = r.output;

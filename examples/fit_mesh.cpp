@@ -8,7 +8,7 @@
 #include <CGAL/Simple_manifolds/IO/write_tessellation.h>
 #include <CGAL/Simple_manifolds/embedding/correct_parameters.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
-#include <CGAL/Simple_manifolds/embedding/paper/fit_patch_surface.h>
+#include <CGAL/Simple_manifolds/paper/fit/fit_patch_surface.h>
 #include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ Fit_request fit_request(const Command_line& options)
 {
   Fit_request r;
   const std::string surface = options.has("surface") ? options.get<std::string>("surface")
-                            : is_paper(options)      ? "patches"
+                              : is_paper(options)    ? "patches"
                                                      : "hierarchical";
   options.require(surface == "hierarchical" || surface == "patches", "surface", "hierarchical or patches");
   r.is_patches = surface == "patches";
@@ -80,9 +80,12 @@ template <class F>
 int with_bump(int k, const F& f)
 {
   switch (k) {
-    case 1: return f(SM::Smoothstep_bump<1>());
-    case 2: return f(SM::Smoothstep_bump<2>());
-    default: return f(SM::Smoothstep_bump<3>());
+  case 1:
+    return f(SM::Smoothstep_bump<1>());
+  case 2:
+    return f(SM::Smoothstep_bump<2>());
+  default:
+    return f(SM::Smoothstep_bump<3>());
   }
 }
 
@@ -129,9 +132,9 @@ Json metrics_of_surface(const SM::Fit_report& report)
     metrics["levels"].push_back(
       {{"controls", l.controls}, {"rms_error", l.rms_error}, {"max_error", l.max_error}});
   const SM::Fit_report::Seconds& t = report.seconds;
-  metrics["seconds"] = {{"sampling", t.sampling}, {"solving_alone", t.solving_alone},
-                        {"solving_jointly", t.solving_jointly}, {"refining", t.refining},
-                        {"measuring", t.measuring}, {"closest_point", t.closest_point}};
+  metrics["seconds"] = {
+    {"sampling", t.sampling}, {"solving_alone", t.solving_alone}, {"solving_jointly", t.solving_jointly},
+    {"refining", t.refining}, {"measuring", t.measuring},         {"closest_point", t.closest_point}};
   metrics["bytes"] = {{"samples", report.bytes.samples}, {"equations", report.bytes.equations}};
   return metrics;
 }
@@ -155,9 +158,12 @@ Json parameters_of(const Job& job)
     p.update({{"energy", "amips"}, {"lambda", o.lambda}, {"area_floor", o.area_floor}});
   }
   p.update({{"surface", job.request.is_patches ? "patches" : "hierarchical"},
-            {"tolerance", job.request.average}, {"max_tolerance", job.request.maximum},
-            {"degree", job.request.degree}, {"bump", "smoothstep"},
-            {"bump_smoothness", job.request.smoothness}, {"samples", job.request.samples}});
+            {"tolerance", job.request.average},
+            {"max_tolerance", job.request.maximum},
+            {"degree", job.request.degree},
+            {"bump", "smoothstep"},
+            {"bump_smoothness", job.request.smoothness},
+            {"samples", job.request.samples}});
   return p;
 }
 
@@ -181,7 +187,7 @@ int write(Job& job, const Map& map, const Surface& surface, const SM::Fit_report
   metrics["parameters"]["subdivisions"] = subdivisions;
   job.watch.time("tessellate", [&] {
     SM::write_tessellation(job.folder.file("surface.ply"), surface, map,
-                            SM::parameters::subdivisions(subdivisions));
+                           SM::parameters::subdivisions(subdivisions));
   });
   job.watch.time("write", [&] {
     SM::write_map(job.folder.file("map.ply"), map);
@@ -216,11 +222,17 @@ int fit_hierarchical(Job& job, const Map& first_map, const Bump& bump)
   SM::Fit_report report;
   const auto fit = [&](const Map& map) {
     return job.watch.time("fit", [&] {
-      return SM::fit_surface<CGAL::Parallel_if_available_tag>(
-        map, SM::parameters::rms_error(request.average).max_error(request.maximum).bump(bump)
-               .spline_degree(request.degree).max_controls(std::size_t(request.controls))
-               .marking(request.marking).joint_solve(request.joint).fairness(request.fairness)
-               .fit_report(std::ref(report)).visitor(std::ref(job.progress)));
+      return SM::fit_surface<CGAL::Parallel_if_available_tag>(map,
+                                                              SM::parameters::rms_error(request.average)
+                                                                .max_error(request.maximum)
+                                                                .bump(bump)
+                                                                .spline_degree(request.degree)
+                                                                .max_controls(std::size_t(request.controls))
+                                                                .marking(request.marking)
+                                                                .joint_solve(request.joint)
+                                                                .fairness(request.fairness)
+                                                                .fit_report(std::ref(report))
+                                                                .visitor(std::ref(job.progress)));
     });
   };
   auto surface = fit(first_map);
@@ -231,7 +243,8 @@ int fit_hierarchical(Job& job, const Map& first_map, const Bump& bump)
   }
 
   Json parameters = parameters_of(job);
-  parameters.update({{"max_controls", request.controls}, {"fairness", request.fairness},
+  parameters.update({{"max_controls", request.controls},
+                     {"fairness", request.fairness},
                      {"marking", job.options.get<std::string>("marking")},
                      {"economy", job.options.get<bool>("economy")},
                      {"correct_parameters", job.options.get<bool>("correct-parameters")}});
@@ -240,13 +253,13 @@ int fit_hierarchical(Job& job, const Map& first_map, const Bump& bump)
     std::cerr << "fit_mesh: " << report.controls << " controls for a mesh of " << report.vertices
               << " vertices: the surface reproduces facets; a larger tolerance"
               << (only_vertices ? " needs fewer\n" : " or --marking vertices needs fewer\n");
-  return write(job, corrected ? *corrected : first_map, surface, report, metrics_of_surface(report),
-               parameters, std::string(only_vertices ? "at vertices " : "") + "rms error "
-                 + shown(only_vertices ? report.vertex_rms_error : report.rms_error) + " (tolerance "
-                 + shown(request.average) + "), max "
-                 + shown(only_vertices ? report.vertex_max_error : report.max_error) + " (tolerance "
-                 + shown(request.maximum) + ") of the diagonal, " + std::to_string(report.controls)
-                 + " controls");
+  return write(
+    job, corrected ? *corrected : first_map, surface, report, metrics_of_surface(report), parameters,
+    std::string(only_vertices ? "at vertices " : "") + "rms error " +
+      shown(only_vertices ? report.vertex_rms_error : report.rms_error) + " (tolerance " +
+      shown(request.average) + "), max " + shown(only_vertices ? report.vertex_max_error : report.max_error) +
+      " (tolerance " + shown(request.maximum) + ") of the diagonal, " + std::to_string(report.controls) +
+      " controls");
 }
 
 template <class Map>
@@ -256,29 +269,34 @@ int fit_patches(Job& job, const Map& map)
   SM::Patch_fit_report report;
   const auto surface = job.watch.time("fit", [&] {
     return SM::fit_patch_surface<CGAL::Parallel_if_available_tag>(
-      map, SM::parameters::average_delta(request.average).max_delta(request.maximum)
-             .spline_degree(request.degree).max_patches(request.patches)
-             .patch_fit_report(std::ref(report)).visitor(std::ref(job.progress)));
+      map, SM::parameters::average_delta(request.average)
+             .max_delta(request.maximum)
+             .spline_degree(request.degree)
+             .max_patches(request.patches)
+             .patch_fit_report(std::ref(report))
+             .visitor(std::ref(job.progress)));
   });
 
   Json metrics = metrics_of_surface(report.surface);
   double average = 0, maximum = 0;
   for (std::size_t c = 0; c < report.charts.size(); ++c) {
     const SM::Patch_fit_report::Chart& chart = report.charts[c];
-    metrics["charts"][c].update({{"patches", chart.patches}, {"bins_per_side", chart.bins_per_side},
+    metrics["charts"][c].update({{"patches", chart.patches},
+                                 {"bins_per_side", chart.bins_per_side},
                                  {"has_fewer_bins", chart.has_fewer_bins},
-                                 {"average_delta", chart.average_delta}, {"max_delta", chart.max_delta},
+                                 {"average_delta", chart.average_delta},
+                                 {"max_delta", chart.max_delta},
                                  {"tolerance_reached", chart.tolerance_reached}});
-    average = std::max(average, chart.average_delta);
-    maximum = std::max(maximum, chart.max_delta);
+    average = (std::max)(average, chart.average_delta);
+    maximum = (std::max)(maximum, chart.max_delta);
   }
   Json parameters = parameters_of(job);
   parameters["max_patches"] = request.patches;
   return write(job, map, surface, report.surface, std::move(metrics), parameters,
-               "weighted error of a chart at vertices " + shown(average) + " on average (tolerance "
-                 + shown(request.average) + "), max " + shown(maximum) + " (tolerance "
-                 + shown(request.maximum) + "), rms error " + shown(report.surface.rms_error)
-                 + " of the diagonal, " + std::to_string(report.surface.controls) + " controls");
+               "weighted error of a chart at vertices " + shown(average) + " on average (tolerance " +
+                 shown(request.average) + "), max " + shown(maximum) + " (tolerance " +
+                 shown(request.maximum) + "), rms error " + shown(report.surface.rms_error) +
+                 " of the diagonal, " + std::to_string(report.surface.controls) + " controls");
 }
 
 } // namespace
@@ -329,14 +347,19 @@ int main(int argc, char** argv)
       if (is_paper(options)) return map_by_partition(options, input, partition, progress);
       const SM::Map_options o = SM::map_options_for_fitting();
       return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
-        input.mesh, SM::parameters::energy(o.energy).energy_lambda(o.lambda).area_floor(o.area_floor)
-                      .close_borders(close_borders(options)).visitor(std::ref(progress)));
+        input.mesh, SM::parameters::energy(o.energy)
+                      .energy_lambda(o.lambda)
+                      .area_floor(o.area_floor)
+                      .close_borders(close_borders(options))
+                      .visitor(std::ref(progress)));
     });
     Job job{options, request, input, partition, folder, progress, watch};
-    return std::visit([&](const auto& map) {
-      if (request.is_patches) return fit_patches(job, map);
-      return with_bump(request.smoothness,
-                       [&](const auto& bump) { return fit_hierarchical(job, map, bump); });
-    }, any_map);
+    return std::visit(
+      [&](const auto& map) {
+        if (request.is_patches) return fit_patches(job, map);
+        return with_bump(request.smoothness,
+                         [&](const auto& bump) { return fit_hierarchical(job, map, bump); });
+      },
+      any_map);
   });
 }

@@ -39,11 +39,11 @@ int main(int argc, char** argv)
     print("largest error 1e-2", report);
     SM::fit_surface(map, SM::parameters::rms_error(1e-9, SM::parameters::max_controls(1000, out)));
     print("1000 controls", report);
-    SM::fit_surface(map, SM::parameters::max_error(5e-3, SM::parameters::marking(SM::Marking::VERTICES,
-                                                                                  out)));
+    SM::fit_surface(map,
+                    SM::parameters::max_error(5e-3, SM::parameters::marking(SM::Marking::VERTICES, out)));
     print("vertices within 5e-3", report);
-    SM::fit_surface(map, SM::parameters::max_error(1e-2, SM::parameters::joint_solve(SM::Joint_solve::ALWAYS,
-                                                                                      out)));
+    SM::fit_surface(
+      map, SM::parameters::max_error(1e-2, SM::parameters::joint_solve(SM::Joint_solve::ALWAYS, out)));
     print("economy", report);
     //! [fit]
   } catch (const SM::Error& e) {

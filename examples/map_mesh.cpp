@@ -36,7 +36,9 @@ void require_outputs(const Command_line& options)
   for (const char* name : {"output", "metrics", "report"}) {
     if (!options.has(name)) continue;
     const std::string file = options.get<std::string>(name);
-    { const SM::Atomic_file attempt(file); } // throws, or leaves no trace
+    {
+      const SM::Atomic_file attempt(file);
+    } // throws, or leaves no trace
     require_not_input(options, file);
     for (const std::string& other : outputs)
       if (is_same_file(file, other))
@@ -91,10 +93,13 @@ int main(int argc, char** argv)
       if (is_paper(options)) return map_by_partition(options, input, partition, progress);
       return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
         input.mesh, SM::parameters::energy(is_amips ? SM::Energy::AMIPS : SM::Energy::SYMMETRIC_DIRICHLET)
-                      .energy_lambda(lambda).area_floor(area_floor)
-                      .effort(effort == "fast" ? SM::Effort::FAST : effort == "quality" ? SM::Effort::QUALITY
-                                                                                       : SM::Effort::DEFAULT)
-                      .close_borders(close_borders(options)).visitor(std::ref(progress)));
+                      .energy_lambda(lambda)
+                      .area_floor(area_floor)
+                      .effort(effort == "fast"      ? SM::Effort::FAST
+                              : effort == "quality" ? SM::Effort::QUALITY
+                                                    : SM::Effort::DEFAULT)
+                      .close_borders(close_borders(options))
+                      .visitor(std::ref(progress)));
     });
     const auto np = CGAL::parameters::visitor(std::ref(progress));
     const auto improve = [&](const char* phase, const auto& f) { // f: a map to a map of the same surface
@@ -104,30 +109,35 @@ int main(int argc, char** argv)
     improve("balance", [&](const auto& map) { return SM::balance(map, np); });
     improve("refine", [&](const auto& map) { return SM::refine(map, np); });
 
-    return std::visit([&](const auto& map) -> int {
-      Json metrics;
-      metrics["input"] = metrics_of_input(input, map);
-      metrics["map"] = metrics_of_map(map, watch);
-      metrics["parameters"] = {{"method", options.get<std::string>("method")},
-                               {"energy", options.get<std::string>("energy")},
-                               {"lambda", lambda}, {"area_floor", area_floor}, {"effort", effort},
-                               {"balance", options.get<bool>("balance")},
-                               {"refine", options.get<bool>("refine")}};
-      metrics["map"]["criteria"] = metrics_of_criteria(map);
-      if (is_paper(options)) metrics["partition"] = metrics_of_partition(partition);
-      SM::Atomic_files files;
-      const auto file = [&](const char* name) { return files.file(options.get<std::string>(name)); };
-      if (options.has("report"))
-        watch.time("report", [&] { write_page(file("report"), completed(metrics, "map_mesh", watch), map); });
-      watch.time("write", [&] { SM::write_map(file("output"), map); });
-      if (options.has("metrics")) write_metrics(file("metrics"), completed(metrics, "map_mesh", watch));
-      throw_if_interrupted();
-      files.commit();
-      if (!is_quiet)
-        std::cout << summary(input, map) << "; angle " << shown(metrics["map"]["angle"]) << ", area "
-                  << shown(metrics["map"]["area"]) << "; " << shown(watch.total()) << " s\n"
-                  << map.certificate().sentence() << '\n';
-      return SUCCESS;
-    }, any_map);
+    return std::visit(
+      [&](const auto& map) -> int {
+        Json metrics;
+        metrics["input"] = metrics_of_input(input, map);
+        metrics["map"] = metrics_of_map(map, watch);
+        metrics["parameters"] = {{"method", options.get<std::string>("method")},
+                                 {"energy", options.get<std::string>("energy")},
+                                 {"lambda", lambda},
+                                 {"area_floor", area_floor},
+                                 {"effort", effort},
+                                 {"balance", options.get<bool>("balance")},
+                                 {"refine", options.get<bool>("refine")}};
+        metrics["map"]["criteria"] = metrics_of_criteria(map);
+        if (is_paper(options)) metrics["partition"] = metrics_of_partition(partition);
+        SM::Atomic_files files;
+        const auto file = [&](const char* name) { return files.file(options.get<std::string>(name)); };
+        if (options.has("report"))
+          watch.time("report",
+                     [&] { write_page(file("report"), completed(metrics, "map_mesh", watch), map); });
+        watch.time("write", [&] { SM::write_map(file("output"), map); });
+        if (options.has("metrics")) write_metrics(file("metrics"), completed(metrics, "map_mesh", watch));
+        throw_if_interrupted();
+        files.commit();
+        if (!is_quiet)
+          std::cout << summary(input, map) << "; angle " << shown(metrics["map"]["angle"]) << ", area "
+                    << shown(metrics["map"]["area"]) << "; " << shown(watch.total()) << " s\n"
+                    << map.certificate().sentence() << '\n';
+        return SUCCESS;
+      },
+      any_map);
   });
 }

@@ -27,7 +27,7 @@ struct Exponential_bump {
   std::array<double, 3> jet(double x) const
   {
     const double q = x * (1 - x), d = 1 - 2 * x;
-    if (!(q > 1e-3)) return {0, 0, 0}; // below the smallest double
+    if (!(q > 1e-3)) return {0, 0, 0};                     // below the smallest double
     const double f = std::exp(4 - 1 / q), g = d / (q * q); // f' = g f
     return {f, f * g, f * (g * g - 2 / (q * q) - 2 * d * d / (q * q * q))};
   }

@@ -12,8 +12,8 @@
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
-#include <CGAL/Simple_manifolds/correspondence/paper/map_by_partition.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
+#include <CGAL/Simple_manifolds/paper/map/map_by_partition.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -84,11 +84,14 @@ inline void answer_signals()
 inline int status_of(const SM::Error& e)
 {
   switch (e.code()) {
-    case SM::Error_code::cannot_open:
-    case SM::Error_code::unsupported_format:
-    case SM::Error_code::syntax_error: return UNREADABLE_INPUT;
-    case SM::Error_code::cannot_write: return USAGE;
-    default: return UNSUPPORTED_INPUT;
+  case SM::Error_code::cannot_open:
+  case SM::Error_code::unsupported_format:
+  case SM::Error_code::syntax_error:
+    return UNREADABLE_INPUT;
+  case SM::Error_code::cannot_write:
+    return USAGE;
+  default:
+    return UNSUPPORTED_INPUT;
   }
 }
 
@@ -171,8 +174,8 @@ public:
       ~Lap()
       {
         Json& seconds = watch.seconds_[phase];
-        seconds = (seconds.is_null() ? 0. : seconds.get<double>())
-                + std::chrono::duration<double>(Clock::now() - start).count();
+        seconds = (seconds.is_null() ? 0. : seconds.get<double>()) +
+                  std::chrono::duration<double>(Clock::now() - start).count();
       }
     } lap{*this, phase};
     return f();
@@ -228,8 +231,9 @@ inline void require_not_input(const Command_line& options, const std::string& ou
 inline SM::Close_borders close_borders(const Command_line& options)
 {
   const std::string which = options.get<std::string>("close-borders");
-  return which == "inner" ? SM::Close_borders::INNER : which == "all" ? SM::Close_borders::ALL
-                                                                      : SM::Close_borders::NONE;
+  return which == "inner" ? SM::Close_borders::INNER
+         : which == "all" ? SM::Close_borders::ALL
+                          : SM::Close_borders::NONE;
 }
 
 inline bool is_paper(const Command_line& options) { return options.get<std::string>("method") == "paper"; }
@@ -238,9 +242,9 @@ inline bool is_paper(const Command_line& options) { return options.get<std::stri
 inline SM::Any_map map_by_partition(const Command_line& options, const Input& input,
                                     SM::Partition_report& report, Progress& progress)
 {
-  return SM::map_by_partition(input.mesh,
-                              SM::parameters::partition_report(std::ref(report))
-                                .close_borders(close_borders(options)).visitor(std::ref(progress)));
+  return SM::map_by_partition(input.mesh, SM::parameters::partition_report(std::ref(report))
+                                            .close_borders(close_borders(options))
+                                            .visitor(std::ref(progress)));
 }
 
 /// How the paper's method came to its map.
@@ -357,9 +361,9 @@ inline std::string shown(const Json& x) { return x.is_number() ? shown(x.get<dou
 template <class Map>
 std::string summary(const Input& input, const Map& map)
 {
-  return input.file + ": " + Map::Atlas::name + ", " + std::to_string(map.number_of_vertices())
-       + " vertices, " + std::to_string(map.number_of_faces()) + " faces"
-       + (map.is_inward_oriented() ? ", inward oriented" : "");
+  return input.file + ": " + Map::Atlas::name + ", " + std::to_string(map.number_of_vertices()) +
+         " vertices, " + std::to_string(map.number_of_faces()) + " faces" +
+         (map.is_inward_oriented() ? ", inward oriented" : "");
 }
 
 } // namespace tools

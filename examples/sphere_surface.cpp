@@ -25,15 +25,15 @@ int main(int argc, char** argv)
     //! [map]
     const SM::Manifold_map<SM::Sphere_atlas> map = SM::map_to_sphere(mesh);
     const SM::Chart_report charts = SM::chart_report(map);
-    std::cout << map.certificate().sentence() << "\nmean angle distortion "
-              << SM::distortion(map).angle_mean << ", vertices in the six tiles:";
+    std::cout << map.certificate().sentence() << "\nmean angle distortion " << SM::distortion(map).angle_mean
+              << ", vertices in the six tiles:";
     for (std::size_t n : charts.chart_counts) std::cout << ' ' << n;
     //! [map]
 
     SM::Fit_report report;
     const auto surface = SM::fit_surface(map, SM::parameters::rms_error(1e-3).fit_report(std::ref(report)));
-    std::cout << '\n' << report.controls << " controls, rms error " << report.rms_error
-              << " of the diagonal\n";
+    std::cout << '\n'
+              << report.controls << " controls, rms error " << report.rms_error << " of the diagonal\n";
 
     // The surface can be evaluated at any unit vector.
     const Eigen::Vector3d top = surface.point(Eigen::Vector3d(0, 0, 1));

@@ -34,8 +34,8 @@ int main(int argc, char** argv)
       surface, [](const SM::Jet& e) { return e.value.z() * e.value.z() / 2 * SM::normal(e).z(); }, np);
     std::cout << "the centre of mass has z = " << moment.value / volume.value << '\n';
 
-    const SM::Integral curvature = SM::integrate<Tag>(surface, SM::gaussian_curvature,
-                                                      SM::parameters::relative_error(1e-3));
+    const SM::Integral curvature =
+      SM::integrate<Tag>(surface, SM::gaussian_curvature, SM::parameters::relative_error(1e-3));
     //! [integrals]
     std::cout << "total curvature " << curvature.value << " +- " << curvature.error
               << "; by the theorem of Gauss and Bonnet it is 4 pi = 12.56637\n";

@@ -12,10 +12,8 @@ thread_local long allocations_left = -1;
 void* operator new(std::size_t size)
 {
   void* p = allocations_left == 0 ? nullptr : std::malloc(size ? size : 1);
-  if (!p)
-    throw std::bad_alloc();
-  if (allocations_left > 0)
-    --allocations_left;
+  if (!p) throw std::bad_alloc();
+  if (allocations_left > 0) --allocations_left;
   return p;
 }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return std::malloc(size ? size : 1); }

@@ -23,9 +23,9 @@
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/balance.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
 #include <CGAL/Simple_manifolds/correspondence/criteria.h>
@@ -52,10 +52,10 @@
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
 #include <CGAL/Simple_manifolds/embedding/measures.h>
 
+#include <CGAL/Simple_manifolds/tessellation/Chart_textures.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 #include <CGAL/Simple_manifolds/tessellation/Mesh_vertex_count.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_borders.h>
-#include <CGAL/Simple_manifolds/tessellation/Chart_textures.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
 #include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
 #include <CGAL/Simple_manifolds/tessellation/refine_triangulation.h>

@@ -132,8 +132,8 @@ TEST_CASE("the files of a folder appear together, foreign files stay")
     CHECK_FALSE(std::filesystem::exists(base(name)));
     folder.commit();
   }
-  CHECK(base.entries() == Names{"deep", "deep/er", "deep/er/out", "deep/er/out/a", "deep/er/out/b", "out", "out/a",
-                                "out/b", "slash", "slash/a", "slash/b"});
+  CHECK(base.entries() == Names{"deep", "deep/er", "deep/er/out", "deep/er/out/a", "deep/er/out/b", "out",
+                                "out/a", "out/b", "slash", "slash/a", "slash/b"});
   base.write("out/mine", "M");
   {
     SM::Atomic_folder folder(base("out"));
@@ -172,8 +172,7 @@ void check_that_old_files_return(const Temporary_folder& base, Output& output, c
 {
   base.write("a", "old a");
   base.write("c", "old c");
-  for (const char* name : {"a", "b", "c", "d"})
-    std::ofstream(output.file(prefix + name)) << "new";
+  for (const char* name : {"a", "b", "c", "d"}) std::ofstream(output.file(prefix + name)) << "new";
   std::filesystem::create_directory(base("d"));
   CHECK_THROWS_AS(output.commit(), SM::IO_error);
 }

@@ -21,8 +21,8 @@ namespace {
 
 const std::vector<double>& field(const SM::Charted_mesh& mesh, const std::string& name)
 {
-  const auto at = std::find_if(mesh.fields.begin(), mesh.fields.end(),
-                               [&](const auto& f) { return f.name == name; });
+  const auto at =
+    std::find_if(mesh.fields.begin(), mesh.fields.end(), [&](const auto& f) { return f.name == name; });
   REQUIRE(at != mesh.fields.end());
   REQUIRE(at->values.size() == mesh.points.size());
   return at->values;
@@ -42,13 +42,13 @@ void check_coordinates(const SM::Charted_mesh& mesh, const Surface& surface)
       const Eigen::Vector2d a = mesh.coordinates[f][k], b = mesh.coordinates[f][(k + 1) % 3];
       area += a.x() * b.y() - a.y() * b.x();
       const Eigen::Vector3d x = surface.chart_embedding(mesh.charts[f]).point(a);
-      worst = std::max(worst, (x - mesh.points[mesh.triangles[f][k]]).norm());
+      worst = (std::max)(worst, (x - mesh.points[mesh.triangles[f][k]]).norm());
     }
     CHECK(area > 0);
   }
   CHECK(worst < 1e-12);
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    worst = std::max(worst, (surface.point(mesh.chart_points[v]) - mesh.points[v]).norm());
+    worst = (std::max)(worst, (surface.point(mesh.chart_points[v]) - mesh.points[v]).norm());
   CHECK(worst < 1e-12);
 }
 
@@ -56,8 +56,8 @@ void check_coordinates(const SM::Charted_mesh& mesh, const Surface& surface)
 
 TEST_CASE("a tessellation has per triangle a chart and coordinates in it")
 {
-  const SM::Charted_mesh sphere
-    = SM::charted_tessellation(ellipsoid(Eigen::Vector3d(1, 2, 3)), SM::parameters::subdivisions(5));
+  const SM::Charted_mesh sphere =
+    SM::charted_tessellation(ellipsoid(Eigen::Vector3d(1, 2, 3)), SM::parameters::subdivisions(5));
   CHECK(sphere.points.size() == 6 * 25 + 2);
   CHECK(sphere.triangles.size() == 12 * 25);
   check_coordinates(sphere, ellipsoid(Eigen::Vector3d(1, 2, 3)));
@@ -157,8 +157,8 @@ TEST_CASE("virtual faces and their vertices are left out")
 {
   // A tetrahedron of which the last vertex and its three faces close the border of the first face.
   const auto t = tetrahedron_map();
-  const SM::Manifold_map<SM::Sphere_atlas> map(
-    t.points(), {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, t.domain_points(), 3, 3);
+  const SM::Manifold_map<SM::Sphere_atlas> map(t.points(), {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}},
+                                               t.domain_points(), 3, 3);
   const SM::Charted_mesh mesh = SM::charted_mesh(map);
   CHECK(mesh.points.size() == 3);
   CHECK(mesh.triangles == std::vector<SM::Triangle>{{0, 1, 2}});

@@ -34,7 +34,7 @@ double smallest_angle_in_degrees(const Mesh& mesh)
     const auto a = mesh.point(mesh.source(h)) - mesh.point(mesh.target(h));
     const auto b = mesh.point(mesh.target(mesh.next(h))) - mesh.point(mesh.target(h));
     const double sine = std::sqrt(CGAL::cross_product(a, b).squared_length());
-    smallest = std::min(smallest, std::atan2(sine, a * b) * 180 / 3.14159265358979);
+    smallest = (std::min)(smallest, std::atan2(sine, a * b) * 180 / 3.14159265358979);
   }
   return smallest;
 }
@@ -48,12 +48,15 @@ TEST_CASE("Our own meshes are closed, outward oriented and well shaped, and have
     std::size_t vertices;
     int genus;
   };
-  for (const Expected& e : {Expected{"banana", 504, 0}, {"fish", 1296, 0}, {"gumby", 1074, 0},
-                            {"gumby_thin_arms", 954, 0}, {"torus", 800, 1}}) {
+  for (const Expected& e : {Expected{"banana", 504, 0},
+                            {"fish", 1296, 0},
+                            {"gumby", 1074, 0},
+                            {"gumby_thin_arms", 954, 0},
+                            {"torus", 800, 1}}) {
     INFO(e.name);
     Mesh mesh;
-    const SM::Mesh_topology t
-      = SM::read_mesh(SIMPLE_MANIFOLDS_DATA + std::string("/") + e.name + ".off", mesh);
+    const SM::Mesh_topology t =
+      SM::read_mesh(SIMPLE_MANIFOLDS_DATA + std::string("/") + e.name + ".off", mesh);
     CHECK(t.vertices == e.vertices);
     CHECK(t.faces == 2 * e.vertices - 4 + 4 * e.genus);
     CHECK(t.is_closed());

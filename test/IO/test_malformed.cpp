@@ -10,8 +10,8 @@
 #include <CGAL/Simple_manifolds/IO/surface_io.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
-#include <CGAL/Simple_manifolds/correspondence/paper/map_by_partition.h>
 #include <CGAL/Simple_manifolds/embedding/fit_mesh_surface.h>
+#include <CGAL/Simple_manifolds/paper/map/map_by_partition.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -122,8 +122,8 @@ const std::string ply_vertices = "property float x\nproperty float y\nproperty f
 std::string ply(const std::string& vertices, const std::string& faces, const std::string& data,
                 const std::string& format = "ascii")
 {
-  return "ply\nformat " + format + " 1.0\nelement vertex " + vertices + '\n' + ply_vertices + "element face "
-       + faces + "\nproperty list uchar int vertex_indices\nend_header\n" + data;
+  return "ply\nformat " + format + " 1.0\nelement vertex " + vertices + '\n' + ply_vertices +
+         "element face " + faces + "\nproperty list uchar int vertex_indices\nend_header\n" + data;
 }
 
 const std::vector<Case>& bad_meshes()
@@ -149,147 +149,311 @@ const std::vector<Case>& bad_meshes()
     {"OFF called STL", "a.stl", off(4, tetrahedron), E::syntax_error, {"no STL"}},
     {"unknown extension", "a.mesh", off(4, tetrahedron), E::unsupported_format, {"\".mesh\""}},
     {"no extension", "mesh", off(4, tetrahedron), E::unsupported_format, {"\"\""}},
-    {"binary OFF", "a.off", "OFF BINARY\n" + std::string(40, '\0'), E::unsupported_format,
+    {"binary OFF",
+     "a.off",
+     "OFF BINARY\n" + std::string(40, '\0'),
+     E::unsupported_format,
      {"binary", "line 1"}},
     {"OFF of four dimensions", "a.off", "4OFF\n1 0 0\n1 2 3 4\n", E::unsupported_format, {"dimension"}},
     // wrong counts
     {"header only", "a.off", "OFF\n", E::syntax_error, {"number of vertices", "ends"}},
     {"a word for a count", "a.off", "OFF\nfour 4 0\n", E::syntax_error, {"\"four\"", "line 2"}},
     {"a fraction for a count", "a.off", "OFF\n4.5 4 0\n", E::syntax_error, {"\"4.5\""}},
-    {"10^9 vertices and no data", "a.off", "OFF\n1000000000 4 0\n" + four, E::syntax_error,
+    {"10^9 vertices and no data",
+     "a.off",
+     "OFF\n1000000000 4 0\n" + four,
+     E::syntax_error,
      {"1000000000 vertices", "29 bytes follow", "line 2"}},
-    {"10^9 faces and no data", "a.off", "OFF\n4 1000000000 0\n" + four, E::syntax_error,
+    {"10^9 faces and no data",
+     "a.off",
+     "OFF\n4 1000000000 0\n" + four,
+     E::syntax_error,
      {"1000000000 faces", "bytes"}},
-    {"10^18 vertices", "a.off", "OFF\n1000000000000000000 4 0\n" + four, E::syntax_error,
+    {"10^18 vertices",
+     "a.off",
+     "OFF\n1000000000000000000 4 0\n" + four,
+     E::syntax_error,
      {"1000000000000000000 v"}},
-    {"10^30 vertices", "a.off", "OFF\n1" + std::string(30, '0') + " 4 0\n" + four, E::syntax_error,
+    {"10^30 vertices",
+     "a.off",
+     "OFF\n1" + std::string(30, '0') + " 4 0\n" + four,
+     E::syntax_error,
      {"\"1000"}},
     {"-1 vertices", "a.off", "OFF\n-1 4 0\n" + four, E::syntax_error, {"number of vertices is -1"}},
     {"-4 faces", "a.off", "OFF\n4 -4 0\n" + four, E::syntax_error, {"number of faces is -4"}},
-    {"a vertex too many announced", "a.off", "OFF\n5 1 0\n" + four + "3 0 1 2\n", E::syntax_error,
+    {"a vertex too many announced",
+     "a.off",
+     "OFF\n5 1 0\n" + four + "3 0 1 2\n",
+     E::syntax_error,
      {"line 8", "ends"}},
-    {"a vertex too few announced", "a.off", "OFF\n3 1 0\n" + four + "3 0 1 2\n", E::syntax_error,
+    {"a vertex too few announced",
+     "a.off",
+     "OFF\n3 1 0\n" + four + "3 0 1 2\n",
+     E::syntax_error,
      {"the 1 faces", "line 7"}},
-    {"a face too many announced", "a.off", "OFF\n4 3 0\n" + four + "3 0 1 2\n3 1 0 3\n", E::syntax_error,
+    {"a face too many announced",
+     "a.off",
+     "OFF\n4 3 0\n" + four + "3 0 1 2\n3 1 0 3\n",
+     E::syntax_error,
      {"face 2", "line 9"}},
-    {"a face too few announced", "a.off", "OFF\n4 1 0\n" + four + "3 0 1 2\n3 1 0 3\n", E::syntax_error,
+    {"a face too few announced",
+     "a.off",
+     "OFF\n4 1 0\n" + four + "3 0 1 2\n3 1 0 3\n",
+     E::syntax_error,
      {"the 1 faces", "line 8"}},
-    {"a face of 10^9 corners", "a.off", "OFF\n4 1 0\n" + four + "1000000000 0 1 2\n", E::syntax_error,
+    {"a face of 10^9 corners",
+     "a.off",
+     "OFF\n4 1 0\n" + four + "1000000000 0 1 2\n",
+     E::syntax_error,
      {"1000000000 vertices of face 0", "line 7"}},
-    {"PLY of 10^9 vertices", "a.ply", ply("1000000000", "1", four), E::syntax_error,
+    {"PLY of 10^9 vertices",
+     "a.ply",
+     ply("1000000000", "1", four),
+     E::syntax_error,
      {"1000000000 vertex", "24 bytes"}},
-    {"PLY of 10^9 faces", "a.ply", ply("4", "1000000000", four), E::syntax_error,
+    {"PLY of 10^9 faces",
+     "a.ply",
+     ply("4", "1000000000", four),
+     E::syntax_error,
      {"1000000000 face", "bytes"}},
-    {"PLY of 10^18 vertices", "a.ply", ply("1000000000000000000", "1", four), E::syntax_error,
+    {"PLY of 10^18 vertices",
+     "a.ply",
+     ply("1000000000000000000", "1", four),
+     E::syntax_error,
      {"1000000000000000000"}},
-    {"PLY of 10^30 vertices", "a.ply", ply("1" + std::string(30, '0'), "1", four), E::syntax_error,
+    {"PLY of 10^30 vertices",
+     "a.ply",
+     ply("1" + std::string(30, '0'), "1", four),
+     E::syntax_error,
      {"line 3"}},
-    {"PLY of -3 vertices", "a.ply", ply("-3", "1", four), E::syntax_error,
+    {"PLY of -3 vertices",
+     "a.ply",
+     ply("-3", "1", four),
+     E::syntax_error,
      {"number of vertex elements is -3", "line 3"}},
-    {"PLY, a face too few announced", "a.ply", ply("4", "1", four + "3 0 1 2\n3 1 0 3\n"), E::syntax_error,
+    {"PLY, a face too few announced",
+     "a.ply",
+     ply("4", "1", four + "3 0 1 2\n3 1 0 3\n"),
+     E::syntax_error,
      {"goes on", "line 15"}},
-    {"binary PLY with bytes behind", "a.ply", ply("0", "0", "abcde", "binary_little_endian"), E::syntax_error,
+    {"binary PLY with bytes behind",
+     "a.ply",
+     ply("0", "0", "abcde", "binary_little_endian"),
+     E::syntax_error,
      {"goes on", "5 bytes"}},
-    {"binary PLY cut off", "a.ply", ply("3", "1", std::string(37, '\3'), "binary_big_endian"),
+    {"binary PLY cut off",
+     "a.ply",
+     ply("3", "1", std::string(37, '\3'), "binary_big_endian"),
      E::syntax_error,
      {"too early"}},
-    {"PLY list of negative length", "a.ply",
-     "ply\nformat ascii 1.0\nelement vertex 1\n" + ply_vertices
-     + "element face 1\nproperty list char int vertex_index\n"
-       "end_header\n0 0 0\n-3 0 0 0\n", E::syntax_error, {"list of face 0"}},
-    {"PLY list of length 2.9", "a.ply", ply("4", "1", four + "2.9 0 1 2\n"), E::syntax_error,
+    {"PLY list of negative length",
+     "a.ply",
+     "ply\nformat ascii 1.0\nelement vertex 1\n" + ply_vertices +
+       "element face 1\nproperty list char int vertex_index\n"
+       "end_header\n0 0 0\n-3 0 0 0\n",
+     E::syntax_error,
+     {"list of face 0"}},
+    {"PLY list of length 2.9",
+     "a.ply",
+     ply("4", "1", four + "2.9 0 1 2\n"),
+     E::syntax_error,
      {"face 0", "impossible length"}},
-    {"PLY whose faces have no corners", "a.ply",
-     "ply\nformat ascii 1.0\nelement vertex 1\n" + ply_vertices
-       + "element face 1\nproperty list uchar int vertices\nend_header\n0 0 0\n3 0 0 0\n",
-     E::syntax_error, {"vertex_indices"}},
-    {"PLY with two lists of vertices", "a.ply",
+    {"PLY whose faces have no corners",
+     "a.ply",
+     "ply\nformat ascii 1.0\nelement vertex 1\n" + ply_vertices +
+       "element face 1\nproperty list uchar int vertices\nend_header\n0 0 0\n3 0 0 0\n",
+     E::syntax_error,
+     {"vertex_indices"}},
+    {"PLY with two lists of vertices",
+     "a.ply",
      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nelement vertex 2\nproperty float y\n"
      "end_header\n0\n0\n0\n",
-     E::syntax_error, {"line 5", "vertex", "twice"}},
-    {"PLY without positions", "a.ply",
+     E::syntax_error,
+     {"line 5", "vertex", "twice"}},
+    {"PLY without positions",
+     "a.ply",
      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n",
-     E::syntax_error, {"vertex property y"}},
-    {"PLY without end of the header", "a.ply", "ply\nformat ascii 1.0\nelement vertex 1\n", E::syntax_error,
+     E::syntax_error,
+     {"vertex property y"}},
+    {"PLY without end of the header",
+     "a.ply",
+     "ply\nformat ascii 1.0\nelement vertex 1\n",
+     E::syntax_error,
      {"no end"}},
-    {"PLY of an unknown type", "a.ply",
+    {"PLY of an unknown type",
+     "a.ply",
      "ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\nend_header\n1\n",
-     E::syntax_error, {"\"real\"", "line 4"}},
-    {"STL of 10^9 facets", "a.stl", std::string(80, ' ') + std::string("\x00\xca\x9a\x3b", 4),
+     E::syntax_error,
+     {"\"real\"", "line 4"}},
+    {"STL of 10^9 facets",
+     "a.stl",
+     std::string(80, ' ') + std::string("\x00\xca\x9a\x3b", 4),
      E::syntax_error,
      {"1000000000 facets", "84 bytes"}},
-    {"STL cut off", "a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n",
+    {"STL cut off",
+     "a.stl",
+     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n",
      E::syntax_error,
      {"endsolid", "line 6"}},
-    {"STL without an endfacet", "a.stl",
-     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendsolid a\n",
-     E::syntax_error, {"facet 0", "no endfacet", "line 8"}},
-    {"STL with a vertex too early", "a.stl",
-     "solid a\nvertex 5 5 5\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
-       "endfacet\nendsolid a\n", E::syntax_error, {"facet 0", "vertex before", "line 2"}},
-    {"STL with a quadrilateral", "a.stl",
-     "solid a\nfacet normal 0 0 1 outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\n"
-       "endfacet\nendsolid a\n", E::syntax_error, {"facet 0", "4 vertices", "line 8"}},
+    {"STL without an endfacet",
+     "a.stl",
+     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendsolid "
+     "a\n",
+     E::syntax_error,
+     {"facet 0", "no endfacet", "line 8"}},
+    {"STL with a vertex too early",
+     "a.stl",
+     "solid a\nvertex 5 5 5\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+     "0\nendloop\n"
+     "endfacet\nendsolid a\n",
+     E::syntax_error,
+     {"facet 0", "vertex before", "line 2"}},
+    {"STL with a quadrilateral",
+     "a.stl",
+     "solid a\nfacet normal 0 0 1 outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 "
+     "0\nendloop\n"
+     "endfacet\nendsolid a\n",
+     E::syntax_error,
+     {"facet 0", "4 vertices", "line 8"}},
     // coordinates
-    {"a word for a coordinate", "a.off", "OFF\n3 1 0\n0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n", E::syntax_error,
+    {"a word for a coordinate",
+     "a.off",
+     "OFF\n3 1 0\n0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n",
+     E::syntax_error,
      {"vertex 1", "\"x\"", "line 4"}},
     {"two coordinates", "a.obj", "v 0 0\nv 1 0 0\nf 1 2 1\n", E::syntax_error, {"vertex 0", "line 2"}},
-    {"NaN", "a.off", "OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", E::non_finite_coordinate,
+    {"NaN",
+     "a.off",
+     "OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
+     E::non_finite_coordinate,
      {"vertex 1 of 3"}},
-    {"infinity", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 -inf 0\nf 1 2 3\n", E::non_finite_coordinate,
+    {"infinity",
+     "a.obj",
+     "v 0 0 0\nv 1 0 0\nv 0 -inf 0\nf 1 2 3\n",
+     E::non_finite_coordinate,
      {"vertex 2 of 3"}},
-    {"beyond the doubles", "a.ply", ply("3", "1", "0 0 0\n1 1e400 0\n0 1 0\n3 0 1 2\n"),
+    {"beyond the doubles",
+     "a.ply",
+     ply("3", "1", "0 0 0\n1 1e400 0\n0 1 0\n3 0 1 2\n"),
      E::non_finite_coordinate,
      {"vertex 1 of 3"}},
     // indices
-    {"index of no vertex", "a.off", "OFF\n4 1 0\n" + four + "3 0 1 4\n", E::syntax_error,
+    {"index of no vertex",
+     "a.off",
+     "OFF\n4 1 0\n" + four + "3 0 1 4\n",
+     E::syntax_error,
      {"face 0", "vertex 4", "4 vert"}},
-    {"negative index", "a.off", "OFF\n4 1 0\n" + four + "3 0 -1 2\n", E::syntax_error,
+    {"negative index",
+     "a.off",
+     "OFF\n4 1 0\n" + four + "3 0 -1 2\n",
+     E::syntax_error,
      {"face 0", "below 0", "4 vertices"}},
-    {"huge index", "a.off", "OFF\n4 1 0\n" + four + "3 0 1 99999999999\n", E::syntax_error,
+    {"huge index",
+     "a.off",
+     "OFF\n4 1 0\n" + four + "3 0 1 99999999999\n",
+     E::syntax_error,
      {"face 0", "beyond 2^31"}},
-    {"index beyond 64 bits", "a.off", "OFF\n4 1 0\n" + four + "3 0 1 99999999999999999999\n", E::syntax_error,
+    {"index beyond 64 bits",
+     "a.off",
+     "OFF\n4 1 0\n" + four + "3 0 1 99999999999999999999\n",
+     E::syntax_error,
      {"vertex of face 0", "line 7"}},
-    {"OBJ counts from 1", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", E::syntax_error,
+    {"OBJ counts from 1",
+     "a.obj",
+     "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n",
+     E::syntax_error,
      {"face 0", "3 vertices"}},
-    {"OBJ, before the first", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n", E::syntax_error,
+    {"OBJ, before the first",
+     "a.obj",
+     "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n",
+     E::syntax_error,
      {"face 0", "3 vert"}},
-    {"PLY index of 2.5", "a.ply", ply("3", "1", "0 0 0\n1 0 0\n0 1 0\n3 0 1 2.5\n"), E::syntax_error,
+    {"PLY index of 2.5",
+     "a.ply",
+     ply("3", "1", "0 0 0\n1 0 0\n0 1 0\n3 0 1 2.5\n"),
+     E::syntax_error,
      {"face 0"}},
     // faces
     {"no faces", "a.off", off(4, {}), E::empty_mesh, {"no faces"}},
     {"a face of no vertex", "a.off", off(4, {{0, 1, 2}, {}}), E::degenerate_face, {"face 1", "0 corners"}},
-    {"a face of two vertices", "a.off", off(4, {{0, 1, 2}, {0, 1}}), E::degenerate_face,
+    {"a face of two vertices",
+     "a.off",
+     off(4, {{0, 1, 2}, {0, 1}}),
+     E::degenerate_face,
      {"face 1", "2 corners"}},
-    {"a vertex twice in a triangle", "a.off", off(4, {{0, 1, 2}, {1, 0, 1}}), E::degenerate_face,
+    {"a vertex twice in a triangle",
+     "a.off",
+     off(4, {{0, 1, 2}, {1, 0, 1}}),
+     E::degenerate_face,
      {"face 1", "vertex 1"}},
-    {"a vertex twice in a polygon", "a.off", off(5, {{0, 1, 2, 3, 1, 4}}), E::unsupported_face,
+    {"a vertex twice in a polygon",
+     "a.off",
+     off(5, {{0, 1, 2, 3, 1, 4}}),
+     E::unsupported_face,
      {"face 0", "vertex 1"}},
-    {"a facet of STL without extent", "a.stl",
+    {"a facet of STL without extent",
+     "a.stl",
      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
-       "vertex 0 0 0\nendloop\nendfacet\nendsolid a\n", E::degenerate_face, {"face 0", "vertex 0"}},
-    {"a face and once more", "a.off", off(4, together(tetrahedron, {{0, 2, 1}})), E::non_manifold_edge,
+     "vertex 0 0 0\nendloop\nendfacet\nendsolid a\n",
+     E::degenerate_face,
+     {"face 0", "vertex 0"}},
+    {"a face and once more",
+     "a.off",
+     off(4, together(tetrahedron, {{0, 2, 1}})),
+     E::non_manifold_edge,
      {"3 faces"}},
-    {"a lone face and once more", "a.off", off(3, {{0, 1, 2}, {0, 1, 2}}), E::inconsistent_orientation,
+    {"a lone face and once more",
+     "a.off",
+     off(3, {{0, 1, 2}, {0, 1, 2}}),
+     E::inconsistent_orientation,
      {"faces 0 and 1", "(0,1)"}},
     {"a lone face and its back", "a.off", off(3, {{0, 1, 2}, {2, 1, 0}}), E::doubled_edge, {"faces 0 and 1"}},
-    {"one face turned round", "a.off", off(4, {{0, 2, 1}, {0, 1, 3}, {1, 3, 2}, {2, 0, 3}}),
-     E::inconsistent_orientation, {"same direction"}},
-    {"three faces at an edge", "a.off", off(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}), E::non_manifold_edge,
+    {"one face turned round",
+     "a.off",
+     off(4, {{0, 2, 1}, {0, 1, 3}, {1, 3, 2}, {2, 0, 3}}),
+     E::inconsistent_orientation,
+     {"same direction"}},
+    {"three faces at an edge",
+     "a.off",
+     off(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}),
+     E::non_manifold_edge,
      {"(0,1)", "3 faces"}},
-    {"four faces at an edge", "a.obj",
+    {"four faces at an edge",
+     "a.obj",
      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nv 0 0 -1\nf 1 2 3\nf 1 2 4\n"
-       "f 1 2 5\nf 1 2 6\n", E::non_manifold_edge, {"(0,1)", "4 faces"}},
-    {"two tetrahedra that touch", "a.off", off(7, together(tetrahedron, shifted(tetrahedron, 3))),
-     E::non_manifold_vertex, {"6 faces", "vertex 3"}},
-    {"a border with a pinch", "a.off", off(5, {{0, 1, 2}, {0, 3, 4}}), E::non_manifold_vertex,
+     "f 1 2 5\nf 1 2 6\n",
+     E::non_manifold_edge,
+     {"(0,1)", "4 faces"}},
+    {"two tetrahedra that touch",
+     "a.off",
+     off(7, together(tetrahedron, shifted(tetrahedron, 3))),
+     E::non_manifold_vertex,
+     {"6 faces", "vertex 3"}},
+    {"a border with a pinch",
+     "a.off",
+     off(5, {{0, 1, 2}, {0, 3, 4}}),
+     E::non_manifold_vertex,
      {"2 faces", "vertex 0"}},
-    {"Moebius strip", "a.off", off(5, {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 0}, {4, 0, 1}}),
-     E::inconsistent_orientation, {"same direction"}},
+    {"Moebius strip",
+     "a.off",
+     off(5, {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 0}, {4, 0, 1}}),
+     E::inconsistent_orientation,
+     {"same direction"}},
     {"Klein bottle", "a.off", off(25, closed_grid(5, true)), E::inconsistent_orientation, {"same direction"}},
-    {"projective plane", "a.off", off(6, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}, {1, 2, 4},
-     {2, 3, 5},
-       {3, 4, 1}, {4, 5, 2}, {5, 1, 3}}), E::inconsistent_orientation, {"same direction"}},
+    {"projective plane",
+     "a.off",
+     off(6, {{0, 1, 2},
+             {0, 2, 3},
+             {0, 3, 4},
+             {0, 4, 5},
+             {0, 5, 1},
+             {1, 2, 4},
+             {2, 3, 5},
+             {3, 4, 1},
+             {4, 5, 2},
+             {5, 1, 3}}),
+     E::inconsistent_orientation,
+     {"same direction"}},
   };
   return cases;
 }
@@ -352,21 +516,45 @@ TEST_CASE("meshes that are read, but are no sphere, torus or disk, are refused b
   punctured.erase(punctured.begin() + 12);
   punctured.erase(punctured.begin());
   const std::vector<Case> cases = {
-    {"double torus", "a.off", off(11, double_torus()), E::wrong_genus,
+    {"double torus",
+     "a.off",
+     off(11, double_torus()),
+     E::wrong_genus,
      {"closed", "genus 2", "V - E + F = -2"}},
-    {"two tetrahedra", "a.off", off(8, together(tetrahedron, shifted(tetrahedron, 4))), E::several_components,
+    {"two tetrahedra",
+     "a.off",
+     off(8, together(tetrahedron, shifted(tetrahedron, 4))),
+     E::several_components,
      {"2 components", "V - E + F = 4"}},
-    {"sphere and torus", "a.off", off(11, together(tetrahedron, shifted(seven_vertex_torus(), 4))),
-     E::several_components, {"2 components", "genus 1 in all"}},
-    {"two lone triangles", "a.off", off(6, {{0, 1, 2}, {3, 4, 5}}), E::several_components,
+    {"sphere and torus",
+     "a.off",
+     off(11, together(tetrahedron, shifted(seven_vertex_torus(), 4))),
+     E::several_components,
+     {"2 components", "genus 1 in all"}},
+    {"two lone triangles",
+     "a.off",
+     off(6, {{0, 1, 2}, {3, 4, 5}}),
+     E::several_components,
      {"2 components", "2 border loops"}},
-    {"annulus", "a.off", off(8, annulus), E::several_border_loops,
+    {"annulus",
+     "a.off",
+     off(8, annulus),
+     E::several_border_loops,
      {"2 border loops", "genus 0", "V - E + F = 0"}},
-    {"torus with a hole", "a.off", off(7, torus_minus_one), E::wrong_genus,
+    {"torus with a hole",
+     "a.off",
+     off(7, torus_minus_one),
+     E::wrong_genus,
      {"1 border loop", "genus 1", "F = -1"}},
-    {"torus with two holes", "a.off", off(25, punctured), E::several_border_loops,
+    {"torus with two holes",
+     "a.off",
+     off(25, punctured),
+     E::several_border_loops,
      {"2 border loops", "genus 1"}},
-    {"hexagon without free diagonal", "a.off", off(6, torus_with_hexagon()), E::unsupported_face,
+    {"hexagon without free diagonal",
+     "a.off",
+     off(6, torus_with_hexagon()),
+     E::unsupported_face,
      {"face 0", "6 corners"}},
   };
   const Temporary_folder folder;
@@ -374,8 +562,8 @@ TEST_CASE("meshes that are read, but are no sphere, torus or disk, are refused b
     Mesh mesh;
     INFO(c.name);
     SM::read_mesh(folder.write(c.file, c.bytes), mesh);
-    Mesh::Property_map<Mesh::Vertex_index, Eigen::Vector3d> domain
-      = mesh.add_property_map<Mesh::Vertex_index, Eigen::Vector3d>("v:domain", {7, 8, 9}).first;
+    Mesh::Property_map<Mesh::Vertex_index, Eigen::Vector3d> domain =
+      mesh.add_property_map<Mesh::Vertex_index, Eigen::Vector3d>("v:domain", {7, 8, 9}).first;
     check_refusal(c, "", [&] { SM::map_to_canonical_surface(mesh); });
     check_refusal(c, "", [&] { SM::map_by_partition(mesh); });
     check_refusal(c, "", [&] { SM::fit_surface(mesh); });
@@ -387,11 +575,12 @@ TEST_CASE("meshes that are read, but are no sphere, torus or disk, are refused b
   }
 
   Mesh point;
-  SM::read_mesh(folder.write("p.off",
-    "OFF\n4 4 0\n1 1 1\n1 1 1\n1 1 1\n1 1 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"), point);
+  SM::read_mesh(
+    folder.write("p.off", "OFF\n4 4 0\n1 1 1\n1 1 1\n1 1 1\n1 1 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
+    point);
   CHECK_NOTHROW(SM::map_to_canonical_surface(point));
   check_refusal({"all vertices coincide", "", "", E::zero_extent, {"coincide"}}, "",
-    [&] { SM::fit_surface(point); });
+                [&] { SM::fit_surface(point); });
   Mesh empty;
   for (int i = 0; i < 2; ++i, empty.add_vertex()) {
     const Case c = {"a mesh without faces", "", "", E::empty_mesh, {"no faces"}};
@@ -426,8 +615,7 @@ TEST_CASE("unusual meshes are taken as they are")
          {"carriage returns.off", crlf(points + faces), 4, 0, false},
          {"carriage returns.ply", crlf(ply("4", "4", four + faces)), 4, 0, false},
          {"carriage returns.obj",
-          crlf("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"), 4, 0,
-          false},
+          crlf("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"), 4, 0, false},
          {"inward.off", points + "3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n", 4, 0, true},
          {"isolated.off", isolated, 4, 3, false},
          {"comment behind.off", points + faces + "# 3 1 2 3\n\n", 4, 0, false},
@@ -452,64 +640,85 @@ TEST_CASE("malformed maps are refused")
   SM::write_map(folder("map.ply"), tetrahedron_map(), CGAL::parameters::use_binary_mode(false));
   const std::string good = folder.read("map.ply");
   const auto domain = [](const Eigen::Vector3d& p) {
-    return ' ' + SM::internal::shortest(p[0]) + ' ' + SM::internal::shortest(p[1]) + ' '
-      + SM::internal::shortest(p[2])
-         + '\n';
+    return ' ' + SM::internal::shortest(p[0]) + ' ' + SM::internal::shortest(p[1]) + ' ' +
+           SM::internal::shortest(p[2]) + '\n';
   };
   const auto map = tetrahedron_map();
   const std::string first = domain(map.domain_point(0)), second = domain(map.domain_point(1));
-  const std::string swapped = replaced(replaced(replaced(good, first, " ?\n"), second, first), " ?\n",
-    second);
-  const auto changed = [&](const std::string& from, const std::string& to) { return replaced(good, from, to);
-    };
+  const std::string swapped =
+    replaced(replaced(replaced(good, first, " ?\n"), second, first), " ?\n", second);
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    return replaced(good, from, to);
+  };
   const std::string last_face = "3 1 3 2 " + std::to_string(map.chart(3)) + '\n';
   const std::string minus_one = replaced(changed("face 4", "face 3"), last_face, "");
   REQUIRE_NOTHROW(SM::read_map(folder("map.ply")));
   for (const Case& c : std::vector<Case>{
-         {"a mesh", "m.ply", ply("4", "4", four + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"), E::syntax_error,
+         {"a mesh",
+          "m.ply",
+          ply("4", "4", four + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
+          E::syntax_error,
           {"no map"}},
          {"OFF", "m.ply", off(4, tetrahedron), E::syntax_error, {"no PLY"}},
          {"a picture", "m.ply", png, E::syntax_error, {"no PLY"}},
          {"cut off", "m.ply", good.substr(0, good.size() - 9), E::syntax_error, {"ends"}},
          {"bytes behind", "m.ply", good + "1\n", E::syntax_error, {"goes on"}},
-         {"unknown atlas", "m.ply", changed("atlas sphere", "atlas bottle"), E::syntax_error, {"no map",
-          "atlas torus"}},
+         {"unknown atlas",
+          "m.ply",
+          changed("atlas sphere", "atlas bottle"),
+          E::syntax_error,
+          {"no map", "atlas torus"}},
          {"the torus' atlas", "m.ply", changed("atlas sphere", "atlas torus"), E::syntax_error, {"domain_u"}},
          {"no domain_z", "m.ply", changed("domain_z", "domain_w"), E::syntax_error, {"domain_z", "missing"}},
          {"domain_x twice", "m.ply", changed("domain_y", "domain_x"), E::syntax_error, {"domain_x", "twice"}},
-         {"10^9 input vertices", "m.ply", changed("input_vertices 4", "input_vertices 1000000000"),
+         {"10^9 input vertices",
+          "m.ply",
+          changed("input_vertices 4", "input_vertices 1000000000"),
           E::syntax_error,
           {"1000000000", "4 vertices"}},
-         {"-1 virtual faces", "m.ply", changed("comment atlas", "comment virtual_faces -1\ncomment atlas"),
-          E::syntax_error, {"-1", "4 faces"}},
-         {"a face turned round", "m.ply", changed("3 0 1 2", "3 0 2 1"), E::inconsistent_orientation,
+         {"-1 virtual faces",
+          "m.ply",
+          changed("comment atlas", "comment virtual_faces -1\ncomment atlas"),
+          E::syntax_error,
+          {"-1", "4 faces"}},
+         {"a face turned round",
+          "m.ply",
+          changed("3 0 1 2", "3 0 2 1"),
+          E::inconsistent_orientation,
           {"direction"}},
          {"a face is missing", "m.ply", minus_one, E::not_closed, {"1 border loop", "a sphere"}},
          {"domain points swapped", "m.ply", swapped, E::map_not_bijective, {"flipped", "of 4 faces"}},
          {"all domain points equal", "m.ply", changed(second, first), E::map_not_bijective, {"degenerate"}},
-         {"a domain point in the origin", "m.ply", changed(first, " 0 0 0\n"), E::map_not_bijective,
-          {"1 vertices", ": 0"}},
-         {"a domain point of length 2", "m.ply", changed(first, domain(2 * map.domain_point(0))),
+         {"a domain point in the origin",
+          "m.ply",
+          changed(first, " 0 0 0\n"),
           E::map_not_bijective,
           {"1 vertices", ": 0"}},
-         {"a domain point of NaN", "m.ply", changed(second, " nan 0 0\n"), E::map_not_bijective,
+         {"a domain point of length 2",
+          "m.ply",
+          changed(first, domain(2 * map.domain_point(0))),
+          E::map_not_bijective,
+          {"1 vertices", ": 0"}},
+         {"a domain point of NaN",
+          "m.ply",
+          changed(second, " nan 0 0\n"),
+          E::map_not_bijective,
           {"1 vertices", ": 1"}}})
     check_refusal(c, folder("m.ply"), [&] { SM::read_map(folder.write(c.file, c.bytes)); });
 
   // A torus of the right connectivity whose map leaves out a handle.
   const Polygons torus = seven_vertex_torus();
-  std::string text = "ply\nformat ascii 1.0\ncomment atlas torus\nelement vertex 7\n" + ply_vertices
-                   + "property double domain_u\nproperty double domain_v\nelement face 14\n"
+  std::string text = "ply\nformat ascii 1.0\ncomment atlas torus\nelement vertex 7\n" + ply_vertices +
+                     "property double domain_u\nproperty double domain_v\nelement face 14\n"
                      "property list uchar int vertex_indices\nend_header\n";
-  for (int i = 0; i < 7; ++i) text += std::to_string(i) + " 0 " + std::to_string(i * i) + " 0.1 0."
-    + std::to_string(i) + '\n';
+  for (int i = 0; i < 7; ++i)
+    text += std::to_string(i) + " 0 " + std::to_string(i * i) + " 0.1 0." + std::to_string(i) + '\n';
   for (const auto& f : torus)
     text += "3 " + std::to_string(f[0]) + ' ' + std::to_string(f[1]) + ' ' + std::to_string(f[2]) + '\n';
   check_refusal({"a torus without width", "", "", E::map_not_bijective, {"14 faces"}}, folder("m.ply"),
                 [&] { SM::read_map(folder.write("m.ply", text)); });
   check_refusal({"a torus read as sphere", "", "", E::syntax_error, {"\"torus\", not sphere"}},
-    folder("m.ply"),
-                [&] { SM::read_map<SM::Sphere_atlas>(folder("m.ply")); });
+                folder("m.ply"), [&] { SM::read_map<SM::Sphere_atlas>(folder("m.ply")); });
 }
 
 TEST_CASE("malformed surfaces are refused, as JSON and as CBOR")
@@ -535,23 +744,23 @@ TEST_CASE("malformed surfaces are refused, as JSON and as CBOR")
     check_refusal({name + ' ' + words[0], name, bytes, E::syntax_error, words}, file,
                   [&] { SM::read_any_surface(file); });
   };
-  for (const Change& c : std::vector<Change>{
-         {"/format", "mesh", {"no surface"}},
-         {"/version", 1000000000, {"version", "only version 1"}},
-         {"/atlas", 7, {"atlas", "string"}},
-         {"/degree", -1, {"degree", "from 1 to"}},
-         {"/degree", 1000000000, {"degree", "from 1 to"}},
-         {"/charts", nlohmann::json::array(), {"charts", "1 entries", "found 0"}},
-         {"/charts/0", 3, {"patches"}},
-         {"/charts/0/patches", nlohmann::json::array(), {"at least one patch"}},
-         {patch + "/support", {0, 0, 0, 1}, {"patches[0].support", "empty"}},
-         {patch + "/controls", {1000000000, 1000000000}, {"controls", "integer from"}},
-         {patch + "/controls", {2, -2}, {"controls[1]", "integer from"}},
-         {patch + "/coefficients", {{0, 0, 0}}, {"coefficients", "4 entries", "found 1"}},
-         {patch + "/coefficients/2", {0, 0}, {"coefficients[2]", "3 entries", "found 2"}},
-         {patch + "/coefficients/2/1", "1", {"coefficients[2][1]", "number"}},
-         {patch + "/indices", {0, 1, 2, 4}, {"indices[3]", "from 0 to 3"}},
-         {patch + "/indices", {0, 1, 1, 2}, {"indices", "twice"}}}) {
+  for (const Change& c :
+       std::vector<Change>{{"/format", "mesh", {"no surface"}},
+                           {"/version", 1000000000, {"version", "only version 1"}},
+                           {"/atlas", 7, {"atlas", "string"}},
+                           {"/degree", -1, {"degree", "from 1 to"}},
+                           {"/degree", 1000000000, {"degree", "from 1 to"}},
+                           {"/charts", nlohmann::json::array(), {"charts", "1 entries", "found 0"}},
+                           {"/charts/0", 3, {"patches"}},
+                           {"/charts/0/patches", nlohmann::json::array(), {"at least one patch"}},
+                           {patch + "/support", {0, 0, 0, 1}, {"patches[0].support", "empty"}},
+                           {patch + "/controls", {1000000000, 1000000000}, {"controls", "integer from"}},
+                           {patch + "/controls", {2, -2}, {"controls[1]", "integer from"}},
+                           {patch + "/coefficients", {{0, 0, 0}}, {"coefficients", "4 entries", "found 1"}},
+                           {patch + "/coefficients/2", {0, 0}, {"coefficients[2]", "3 entries", "found 2"}},
+                           {patch + "/coefficients/2/1", "1", {"coefficients[2][1]", "number"}},
+                           {patch + "/indices", {0, 1, 2, 4}, {"indices[3]", "from 0 to 3"}},
+                           {patch + "/indices", {0, 1, 1, 2}, {"indices", "twice"}}}) {
     nlohmann::json j = good;
     j[nlohmann::json::json_pointer(c.pointer)] = c.value;
     refused("s.json", j.dump(), c.words);
@@ -581,12 +790,17 @@ TEST_CASE("short surface files that ask for much memory are refused before it is
 {
   using nlohmann::json;
   const auto patch = [](int nu, int nv, const json& indices, const json& coefficients) {
-    return json{{"support", {0, 0, 1, 1}}, {"controls", {nu, nv}}, {"indices", indices},
+    return json{{"support", {0, 0, 1, 1}},
+                {"controls", {nu, nv}},
+                {"indices", indices},
                 {"coefficients", coefficients}};
   };
   const auto none = json::array();
   const auto document = [](const std::string& atlas, int charts, int degree, const json& patches) {
-    return json{{"format", "simple_manifolds_surface"}, {"version", 1}, {"atlas", atlas}, {"degree", degree},
+    return json{{"format", "simple_manifolds_surface"},
+                {"version", 1},
+                {"atlas", atlas},
+                {"degree", degree},
                 {"bump", {{"type", "smoothstep"}, {"smoothness", 2}}},
                 {"charts", json(std::size_t(charts), json{{"patches", patches}})}};
   };
@@ -604,24 +818,30 @@ TEST_CASE("short surface files that ask for much memory are refused before it is
   const Temporary_folder folder;
   const long before = peak_memory_in_kilobytes();
   for (const Hungry& c : std::vector<Hungry>{
-         {document("plane", 1, 3, json(400, patch(4, 1 << 20, none, none))), true,
+         {document("plane", 1, 3, json(400, patch(4, 1 << 20, none, none))),
+          true,
           {"charts[0].patches: 400 patches", "4194328000 controls", "16777216"}},
          {document("torus", 9, 3, json(2, patch(1024, 1024, none, none))), true, {"2 patches", "1864135"}},
-         {document("plane", 1, 1, json(1, patch(2, (1 << 30) - 1, none, none))), true,
+         {document("plane", 1, 1, json(1, patch(2, (1 << 30) - 1, none, none))),
+          true,
           {"1 patches", "0 coefficients"}},
-         {document("sphere", 6, 9, json(1, patch(1033, 1033, none, none))), false,
+         {document("sphere", 6, 9, json(1, patch(1033, 1033, none, none))),
+          false,
           {"1024 cells per side", "1048576 leaves", "2796202"}},
          {document("plane", 1, 1, json(1, patch(46340, 46340, none, none))), false, {"46339 cells per side"}},
          {document("plane", 1, 9,
-                   {patch(10, 10, none, none), patch(side, side, scattered, json(4900, {1, 2, 3}))}), false,
+                   {patch(10, 10, none, none), patch(side, side, scattered, json(4900, {1, 2, 3}))}),
+          false,
           {"1 cells per side", "leaves", "4900 coefficients"}}}) {
     const auto cbor = json::to_cbor(c.document);
     for (const std::string& bytes : {c.document.dump(), std::string(cbor.begin(), cbor.end())}) {
       CHECK(bytes.size() < 150000);
       const std::string file = folder.write("s", bytes);
       check_refusal({c.words[0], "s", bytes, Error_code::syntax_error, c.words}, file, [&] {
-        if (c.is_stack) SM::read_any_surface<SM::Smoothstep_bump<2>, SM::Patch_stack_embedding>(file);
-        else SM::read_any_surface(file);
+        if (c.is_stack)
+          SM::read_any_surface<SM::Smoothstep_bump<2>, SM::Patch_stack_embedding>(file);
+        else
+          SM::read_any_surface(file);
       });
     }
   }

@@ -27,7 +27,8 @@ SM::Manifold_map<Atlas> some_map(int n = 4)
   std::vector<Eigen::Vector3d> points;
   for (const auto& p : grid.domain_points())
     points.push_back(Eigen::Vector3d(std::sin(1 + p[0]), std::cos(3 * p[1]), p[0] * p[p.size() - 1]) / 3);
-  return SM::Manifold_map<Atlas>(points, SM::triangulate(grid, points), grid.domain_points(), points.size() - 3, 2);
+  return SM::Manifold_map<Atlas>(points, SM::triangulate(grid, points), grid.domain_points(),
+                                 points.size() - 3, 2);
 }
 
 template <class T>
@@ -39,9 +40,9 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b)
 template <class Map>
 bool same_map(const Map& a, const Map& b)
 {
-  return same_bits(a.points(), b.points()) && same_bits(a.domain_points(), b.domain_points())
-      && a.faces() == b.faces() && a.number_of_input_vertices() == b.number_of_input_vertices()
-      && a.number_of_virtual_faces() == b.number_of_virtual_faces();
+  return same_bits(a.points(), b.points()) && same_bits(a.domain_points(), b.domain_points()) &&
+         a.faces() == b.faces() && a.number_of_input_vertices() == b.number_of_input_vertices() &&
+         a.number_of_virtual_faces() == b.number_of_virtual_faces();
 }
 
 Error_code refused(const std::string& file)
@@ -92,11 +93,13 @@ TEST_CASE("the text of a map says what it is")
   SM::write_map(folder("map.ply"), map, CGAL::parameters::use_binary_mode(false));
   const std::string text = folder.read("map.ply");
   CHECK(text.find("ply\nformat ascii 1.0\ncomment simple_manifolds map\ncomment atlas torus\n"
-                  "comment input_vertices 33\ncomment virtual_faces 2\nelement vertex 36\nproperty double x\nproperty double y\n"
+                  "comment input_vertices 33\ncomment virtual_faces 2\nelement vertex 36\nproperty double "
+                  "x\nproperty double y\n"
                   "property double z\nproperty double domain_u\nproperty double domain_v\nelement face 72\n"
                   "property list uchar int vertex_indices\nproperty int chart\nend_header\n") == 0);
-  const std::string first_face = "\n3 " + std::to_string(map.face(0)[0]) + ' ' + std::to_string(map.face(0)[1]) + ' '
-                               + std::to_string(map.face(0)[2]) + ' ' + std::to_string(map.chart(0)) + '\n';
+  const std::string first_face = "\n3 " + std::to_string(map.face(0)[0]) + ' ' +
+                                 std::to_string(map.face(0)[1]) + ' ' + std::to_string(map.face(0)[2]) + ' ' +
+                                 std::to_string(map.chart(0)) + '\n';
   CHECK(text.find(first_face) != text.npos);
 }
 

@@ -63,8 +63,8 @@ TEST_CASE("values beyond 0 to 1 become the nearest of these; grey and opacity ar
     CHECK(Pixels(SM::png_images(grey)[0]).at(1, 1, 0) == byte);
     CHECK(Pixels(SM::png_images(grey)[0]).at(1, 1, 2) == byte);
   }
-  const auto clear
-    = SM::bake<SM::Plane_atlas>(2, [](const Eigen::Vector2d&) { return Eigen::Vector4d(1, 0, 1, 0.2); });
+  const auto clear =
+    SM::bake<SM::Plane_atlas>(2, [](const Eigen::Vector2d&) { return Eigen::Vector4d(1, 0, 1, 0.2); });
   CHECK(Pixels(SM::png_images(clear)[0]).at(0, 1, 3) == 51);
 }
 

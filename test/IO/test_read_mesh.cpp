@@ -22,7 +22,8 @@ using SM::Error_code;
 
 namespace {
 
-const char* tetrahedron_off = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1e-3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+const char* tetrahedron_off =
+  "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1e-3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
 
 std::string le(std::uint32_t x) { return {char(x), char(x >> 8), char(x >> 16), char(x >> 24)}; }
 
@@ -85,13 +86,21 @@ struct Throwing_map {
 };
 
 // An allocator that fails once, after `Failure::left` successes; never, where that is negative.
-struct Failure { static inline long left = -1; };
+struct Failure {
+  static inline long left = -1;
+};
 
 template <class T>
 struct Failing_allocator : std::allocator<T> {
-  template <class U> struct rebind { using other = Failing_allocator<U>; };
+  template <class U>
+  struct rebind {
+    using other = Failing_allocator<U>;
+  };
   Failing_allocator() = default;
-  template <class U> Failing_allocator(const Failing_allocator<U>&) {}
+  template <class U>
+  Failing_allocator(const Failing_allocator<U>&)
+  {
+  }
   T* allocate(std::size_t n)
   {
     if (Failure::left >= 0 && Failure::left-- == 0) throw std::bad_alloc();
@@ -107,29 +116,40 @@ TEST_CASE("the four formats give the same mesh")
   const std::string ply_vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1e-3\n";
   const std::vector<std::string> files = {
     folder.write("a.off", tetrahedron_off),
-    folder.write("b.OFF", "# comment\nCOFF # here too\n4 4\n0 0 0 255 0 0\n1 0 0 1 1 1\n0 1 0 0 0 0\n0 0 0.001 0 0 0\n"
-                          "3 0 2 1 0.5\n3 0 1 3\n3 1 2 3\n3 2 0 3"),
-    folder.write("c.obj", "# comment\no thing\nv 0 0 0\nv 1 0 0\nvn 0 0 1\nv 0 1 0\nv 0 0 .001\r\nf 1/1/1 3//1 2\n"
-                          "f 1 2 4\nf -3 -2 -1\nusemtl x\nf 3 1 4\n"),
-    folder.write("d.ply", "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 4\nproperty float x\nproperty float y\n"
-                          "property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
-                            + ply_vertices + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
-    folder.write("e.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                          "property list uchar int more\nelement face 4\nproperty uchar red\n"
-                          "property list uchar uint vertex_index\nelement edge 1\nproperty int a\nend_header\n"
-                          "0 0 0 0\n1 0 0 2 7 7\n0 1 0 0\n0 0 1e-3 1 1\n9 3 0 2 1\n9 3 0 1 3\n9 3 1 2 3\n9 3 2 0 3\n5\n"),
-    folder.write("g.stl", "solid t\nfacet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0\nendloop\n"
-                          "endfacet\nfacet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 0.001\nendloop\n"
-                          "endfacet\nfacet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1e-3\nendloop\n"
-                          "endfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 1 0\nvertex -0 0 0\nvertex 0 0 1e-3\nendloop\n"
-                          "endfacet\nendsolid t\n"),
+    folder.write("b.OFF",
+                 "# comment\nCOFF # here too\n4 4\n0 0 0 255 0 0\n1 0 0 1 1 1\n0 1 0 0 0 0\n0 0 0.001 0 0 0\n"
+                 "3 0 2 1 0.5\n3 0 1 3\n3 1 2 3\n3 2 0 3"),
+    folder.write("c.obj",
+                 "# comment\no thing\nv 0 0 0\nv 1 0 0\nvn 0 0 1\nv 0 1 0\nv 0 0 .001\r\nf 1/1/1 3//1 2\n"
+                 "f 1 2 4\nf -3 -2 -1\nusemtl x\nf 3 1 4\n"),
+    folder.write(
+      "d.ply",
+      "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n" +
+        ply_vertices + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
+    folder.write(
+      "e.ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "property list uchar int more\nelement face 4\nproperty uchar red\n"
+      "property list uchar uint vertex_index\nelement edge 1\nproperty int a\nend_header\n"
+      "0 0 0 0\n1 0 0 2 7 7\n0 1 0 0\n0 0 1e-3 1 1\n9 3 0 2 1\n9 3 0 1 3\n9 3 1 2 3\n9 3 2 0 3\n5\n"),
+    folder.write(
+      "g.stl",
+      "solid t\nfacet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0\nendloop\n"
+      "endfacet\nfacet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 0.001\nendloop\n"
+      "endfacet\nfacet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1e-3\nendloop\n"
+      "endfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 1 0\nvertex -0 0 0\nvertex 0 0 1e-3\nendloop\n"
+      "endfacet\nendsolid t\n"),
     folder.write("h.stl", binary_stl()),
-    folder.write("i.stl", "solid t\nfacet normal 0 0 -1 outer loop vertex 0 0 0 vertex 0 1 0 vertex 1 0 0 endloop endfacet\n"
-                          "facet normal 0 -1 0 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 0 0.001 endloop endfacet\n"
-                          "facet normal 0 0 1 outer loop vertex 1 0 0 vertex 0 1 0 vertex 0 0 1e-3 endloop endfacet\n"
-                          "facet normal nan 0 1 outer loop vertex 0 1 0 vertex 0 0 0 vertex 0 0 1e-3 endloop endfacet\n"
-                          "endsolid t\n"),
-    folder.write("j.obj", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 .001\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"),
+    folder.write(
+      "i.stl",
+      "solid t\nfacet normal 0 0 -1 outer loop vertex 0 0 0 vertex 0 1 0 vertex 1 0 0 endloop endfacet\n"
+      "facet normal 0 -1 0 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 0 0.001 endloop endfacet\n"
+      "facet normal 0 0 1 outer loop vertex 1 0 0 vertex 0 1 0 vertex 0 0 1e-3 endloop endfacet\n"
+      "facet normal nan 0 1 outer loop vertex 0 1 0 vertex 0 0 0 vertex 0 0 1e-3 endloop endfacet\n"
+      "endsolid t\n"),
+    folder.write("j.obj",
+                 "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 .001\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"),
     folder.write("k.off", "OFF # not\n# made of a BINARY STL\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0.001\n"
                           "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")};
   for (const std::string& file : files) {
@@ -143,7 +163,7 @@ TEST_CASE("the four formats give the same mesh")
     CHECK(mesh.is_valid());
     CHECK(CGAL::is_closed(mesh));
     double highest = 0;
-    for (auto v : mesh.vertices()) highest = std::max(highest, mesh.point(v).z());
+    for (auto v : mesh.vertices()) highest = (std::max)(highest, mesh.point(v).z());
     CHECK(std::abs(highest - 1e-3) < 1e-9);
   }
 }
@@ -162,9 +182,12 @@ TEST_CASE("binary PLY of both byte orders, doubles bit for bit")
     for (double y : {0., 0., 0., x, 0., 0., 0., -x, 0.}) add(&y, 8);
     data += '\3';
     for (std::int32_t v : {0, 1, 2}) add(&v, 4);
-    const std::string file = folder.write("m.ply", std::string("ply\nformat binary_") + (big ? "big" : "little")
-      + "_endian 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\nelement face 1\n"
-        "property list uchar int vertex_indices\nend_header\n" + data);
+    const std::string file =
+      folder.write("m.ply", std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                              "_endian 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty "
+                              "double z\nelement face 1\n"
+                              "property list uchar int vertex_indices\nend_header\n" +
+                              data);
     Mesh mesh;
     CHECK(SM::read_mesh(file, mesh).is_disk());
     REQUIRE(mesh.number_of_vertices() == 3);
@@ -195,7 +218,8 @@ TEST_CASE("real files, polygons, borders, isolated vertices, Polyhedron_3")
 
   const Temporary_folder folder;
   Mesh mesh;
-  const auto topology = SM::read_mesh(folder.write("i.off", "OFF\n4 1 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n"), mesh);
+  const auto topology =
+    SM::read_mesh(folder.write("i.off", "OFF\n4 1 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n"), mesh);
   CHECK(mesh.number_of_vertices() == 4);
   CHECK(topology.isolated_vertices == 1);
 }
@@ -212,7 +236,8 @@ TEST_CASE("files that cannot be read at all")
   CHECK(refused(folder.write("four.off", "4OFF\n0 0 0\n")) == Error_code::unsupported_format);
   for (const std::string extension : {".off", ".obj", ".ply", ".stl"}) {
     CHECK(refused(folder.write("empty" + extension, "")) == Error_code::syntax_error);
-    CHECK(refused(folder.write("text" + extension, "This is a letter,\nnot a mesh.\n")) == Error_code::syntax_error);
+    CHECK(refused(folder.write("text" + extension, "This is a letter,\nnot a mesh.\n")) ==
+          Error_code::syntax_error);
     CHECK(refused(folder.write("bytes" + extension, std::string(1000, '\xff'))) == Error_code::syntax_error);
     CHECK(refused(folder.write("zeros" + extension, std::string(85, '\0'))) == Error_code::syntax_error);
   }
@@ -278,7 +303,8 @@ TEST_CASE("every truncation of a file is an error or a smaller mesh, never a cra
   const Temporary_folder folder;
   Mesh mesh;
   SM::read_mesh(cgal_mesh("tetrahedron.off"), mesh);
-  const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+  const std::string header =
+    "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
     "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
   const std::string ply = header + std::string(48, '\1') + '\3' + le(0u) + le(1u) + le(2u);
   for (const auto& [name, contents] : std::vector<std::pair<std::string, std::string>>{
@@ -303,12 +329,16 @@ TEST_CASE("a header that announces too much is refused at once")
   std::string message;
   CHECK(refused(folder.write("a.off", "OFF\n1000000000 1 0\n0 0 0\n"), &message) == Error_code::syntax_error);
   CHECK_THAT(message, Catch::Matchers::ContainsSubstring("1000000000 vertices"));
-  CHECK(refused(folder.write("b.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2000000000 0 1 2\n"))
-        == Error_code::syntax_error);
+  CHECK(refused(folder.write("b.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2000000000 0 1 2\n")) ==
+        Error_code::syntax_error);
   CHECK(refused(folder.write("c.off", "OFF\n-3 1 0\n0 0 0\n")) == Error_code::syntax_error);
-  const std::string head = "ply\nformat ascii 1.0\nelement vertex ", tail = "\nproperty float x\nproperty float y\n"
-    "property float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n";
-  const auto ply = [&](const std::string& vertices, const std::string& rows) { return head + vertices + tail + rows; };
+  const std::string head = "ply\nformat ascii 1.0\nelement vertex ",
+                    tail =
+                      "\nproperty float x\nproperty float y\n"
+                      "property float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n";
+  const auto ply = [&](const std::string& vertices, const std::string& rows) {
+    return head + vertices + tail + rows;
+  };
   for (const char* n : {"1000000000", "9223372036854775807", "99999999999999999999", "-1"})
     CHECK(refused(folder.write("a.ply", ply(n, "0 0 0\n3 0 0 0\n"))) == Error_code::syntax_error);
   CHECK(refused(folder.write("b.ply", ply("1", "0 0 0\n4000000000 0 0 0\n"))) == Error_code::syntax_error);
@@ -323,13 +353,13 @@ TEST_CASE("a header of many elements, and one that comes twice")
   const Temporary_folder folder;
   std::string header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                        "property float z\nelement face 1\nproperty list uchar int vertex_indices\n";
-  for (int i = 0; i < 2000; ++i)
-    header += "element e" + std::to_string(i) + " 0\n";
+  for (int i = 0; i < 2000; ++i) header += "element e" + std::to_string(i) + " 0\n";
   const std::string rest = "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   Mesh mesh;
   CHECK(SM::read_mesh(folder.write("a.ply", header + rest), mesh).is_disk());
   std::string message;
-  CHECK(refused(folder.write("b.ply", header + "element e7 0\n" + rest), &message) == Error_code::syntax_error);
+  CHECK(refused(folder.write("b.ply", header + "element e7 0\n" + rest), &message) ==
+        Error_code::syntax_error);
   CHECK_THAT(message, Catch::Matchers::ContainsSubstring("line 2009: the element e7 comes twice"));
 }
 
@@ -340,12 +370,14 @@ TEST_CASE("numbers beyond the range of a double are infinite or zero, however th
     return folder.write("a.off", "OFF\n3 1 0\n" + x + " 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   };
   const std::string zeros(320, '0');
-  for (const std::string& large : {"1" + zeros + "e-5", "-1" + zeros, "0.01" + zeros + "e+320", std::string("1e309"),
-                                   std::string("-1E400"), std::string("1e99999999999999999999")})
+  for (const std::string& large :
+       {"1" + zeros + "e-5", "-1" + zeros, "0.01" + zeros + "e+320", std::string("1e309"),
+        std::string("-1E400"), std::string("1e99999999999999999999")})
     CHECK(refused(with_number(large)) == Error_code::non_finite_coordinate);
-  for (const std::string& small : {"0." + zeros + "00001", "-0." + zeros + "0001e-1", "0." + zeros + "1e+2",
-                                   std::string("1e-400"), std::string("+1E-400"),
-                                   std::string("1e-99999999999999999999"), std::string("0e99999999999999999999")}) {
+  for (const std::string& small :
+       {"0." + zeros + "00001", "-0." + zeros + "0001e-1", "0." + zeros + "1e+2", std::string("1e-400"),
+        std::string("+1E-400"), std::string("1e-99999999999999999999"),
+        std::string("0e99999999999999999999")}) {
     Mesh mesh;
     SM::read_mesh(with_number(small), mesh);
     CHECK(std::abs(mesh.point(Mesh::Vertex_index(0)).x()) < 1e-307);
@@ -371,8 +403,8 @@ TEST_CASE("bad data name the element and the line")
   CHECK(refused(folder.write("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n")) == Error_code::syntax_error);
 
   for (const std::string bad : {"nan", "inf", "-inf", "1e999"}) {
-    CHECK(refused(folder.write("n.off", "OFF\n3 1 0\n0 0 0\n1 " + bad + " 0\n0 1 0\n3 0 1 2\n"), &message)
-          == Error_code::non_finite_coordinate);
+    CHECK(refused(folder.write("n.off", "OFF\n3 1 0\n0 0 0\n1 " + bad + " 0\n0 1 0\n3 0 1 2\n"), &message) ==
+          Error_code::non_finite_coordinate);
     CHECK_THAT(message, Catch::Matchers::ContainsSubstring("vertex 1 of 3"));
   }
   CHECK(refused(folder.write("f.off", three + "3 0 1 1\n")) == Error_code::degenerate_face);
@@ -380,12 +412,14 @@ TEST_CASE("bad data name the element and the line")
   CHECK(refused(folder.write("h.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n")) == Error_code::empty_mesh);
 
   const std::string five = "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n";
-  CHECK(refused(folder.write("i.off", five + "3 0 1 2\n3 1 0 3\n3 0 1 4\n"), &message) == Error_code::non_manifold_edge);
-  CHECK_THAT(message, Catch::Matchers::ContainsSubstring("(0,1)") && Catch::Matchers::ContainsSubstring("3 faces"));
-  CHECK(refused(folder.write("j.off", five + "3 0 1 2\n3 0 1 3\n3 0 2 4\n"), &message)
-        == Error_code::inconsistent_orientation);
+  CHECK(refused(folder.write("i.off", five + "3 0 1 2\n3 1 0 3\n3 0 1 4\n"), &message) ==
+        Error_code::non_manifold_edge);
+  CHECK_THAT(message,
+             Catch::Matchers::ContainsSubstring("(0,1)") && Catch::Matchers::ContainsSubstring("3 faces"));
+  CHECK(refused(folder.write("j.off", five + "3 0 1 2\n3 0 1 3\n3 0 2 4\n"), &message) ==
+        Error_code::inconsistent_orientation);
   CHECK_THAT(message, Catch::Matchers::ContainsSubstring("faces 0 and 1"));
-  CHECK(refused(folder.write("k.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 0 3 4\n"), &message)
-        == Error_code::non_manifold_vertex);
+  CHECK(refused(folder.write("k.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 0 3 4\n"),
+                &message) == Error_code::non_manifold_vertex);
   CHECK_THAT(message, Catch::Matchers::ContainsSubstring("vertex 0"));
 }

@@ -56,8 +56,9 @@ bool same_surface(const Surface& a, const Surface& b)
     const auto &p = a.chart_embedding(c).patches(), &q = b.chart_embedding(c).patches();
     if (p.size() != q.size()) return false;
     for (std::size_t i = 0; i < p.size(); ++i)
-      if (p[i].support() != q[i].support() || p[i].degree() != q[i].degree() || p[i].nu() != q[i].nu()
-          || p[i].nv() != q[i].nv() || p[i].indices() != q[i].indices() || p[i].coefficients() != q[i].coefficients())
+      if (p[i].support() != q[i].support() || p[i].degree() != q[i].degree() || p[i].nu() != q[i].nu() ||
+          p[i].nv() != q[i].nv() || p[i].indices() != q[i].indices() ||
+          p[i].coefficients() != q[i].coefficients())
         return false;
   }
   return true;
@@ -134,7 +135,8 @@ TEMPLATE_TEST_CASE("hierarchical surfaces read back bit for bit", "", SM::Plane_
   int different = 0;
   for (const auto& p : SM::random_domain_points<TestType>(10000)) {
     const SM::Jet a = surface.jet(p), b = binary.jet(p);
-    different += a.value != b.value || a.u != b.u || a.v != b.v || a.uu != b.uu || a.uv != b.uv || a.vv != b.vv;
+    different +=
+      a.value != b.value || a.u != b.u || a.v != b.v || a.uu != b.uu || a.uv != b.uv || a.vv != b.vv;
   }
   CHECK(different == 0);
 
@@ -154,9 +156,11 @@ TEST_CASE("only grids of the whole square, each twice as fine as another, are a 
     return R"({"support":)" + support + R"(,"controls":[)" + n + "," + n + "]," + functions + "}";
   };
   const auto read = [&](const std::string& patches) {
-    return SM::read_surface<Hierarchical>(folder.write("s.json",
-      R"({"format":"simple_manifolds_surface","version":1,"atlas":"plane",
-      "bump":{"type":"smoothstep","smoothness":2},"degree":1,"charts":[{"patches":[)" + patches + "]}]}"));
+    return SM::read_surface<Hierarchical>(
+      folder.write("s.json",
+                   R"({"format":"simple_manifolds_surface","version":1,"atlas":"plane",
+      "bump":{"type":"smoothstep","smoothness":2},"degree":1,"charts":[{"patches":[)" +
+                     patches + "]}]}"));
   };
   const auto message = [&](const std::string& patches) {
     try {
@@ -177,8 +181,8 @@ TEST_CASE("only grids of the whole square, each twice as fine as another, are a 
   CHECK_THAT(message(patch(all, 40001, one)), ContainsSubstring("the coarsest grid has 40000 cells"));
 
   // in any order, with gaps; patches of one grid add up; a fine grid needs no memory for what is not active
-  const Hierarchical e = read(patch(all, 5, one) + "," + base + "," + patch(all, 5, one) + ","
-                              + patch(all, 32769, R"("indices":[],"coefficients":[])"));
+  const Hierarchical e = read(patch(all, 5, one) + "," + base + "," + patch(all, 5, one) + "," +
+                              patch(all, 32769, R"("indices":[],"coefficients":[])"));
   REQUIRE(e.chart_embedding(0).levels().size() == 16);
   CHECK(e.chart_embedding(0).levels()[1].indices.empty());
   CHECK(e.chart_embedding(0).levels()[2].indices == std::vector<int>{1});
@@ -189,7 +193,8 @@ TEST_CASE("only grids of the whole square, each twice as fine as another, are a 
 TEST_CASE("a file by hand is read")
 {
   const Temporary_folder folder;
-  const std::string file = folder.write("s.json", R"({"format":"simple_manifolds_surface","version":1,"atlas":"plane",
+  const std::string file =
+    folder.write("s.json", R"({"format":"simple_manifolds_surface","version":1,"atlas":"plane",
     "bump":{"type":"smoothstep","smoothness":2},"degree":1,"charts":[{"patches":[{"support":[0,0,1,1],
     "controls":[2,2],"coefficients":[[0,0,0],[0,1,0],[1,0,0],[1,1,4]]}]}]})");
   const Plane plane = SM::read_surface<Plane>(file);
@@ -237,12 +242,14 @@ TEST_CASE("damaged files are refused with the place of the damage")
   CHECK_THAT(changed("/charts", nlohmann::json::array()), ContainsSubstring("charts: 1 entries"));
   CHECK_THAT(changed("/charts", 4), ContainsSubstring("array"));
   CHECK_THAT(changed("/charts/0/patches", nlohmann::json::array()), ContainsSubstring("patch"));
-  CHECK_THAT(changed((patch + "support").c_str(), {0, 0, 1}), ContainsSubstring("charts[0].patches[0].support"));
+  CHECK_THAT(changed((patch + "support").c_str(), {0, 0, 1}),
+             ContainsSubstring("charts[0].patches[0].support"));
   CHECK_THAT(changed((patch + "support").c_str(), {0, 1, 1, 0}), ContainsSubstring("empty"));
   CHECK_THAT(changed((patch + "support/0").c_str(), nullptr), ContainsSubstring("number"));
   CHECK_THAT(changed((patch + "controls").c_str(), {3, 5}), ContainsSubstring("controls[0]"));
   CHECK_THAT(changed((patch + "controls").c_str(), {100000, 100000}), ContainsSubstring("controls[1]"));
-  CHECK_THAT(changed((patch + "controls/0").c_str(), 18446744073709551615u), ContainsSubstring("controls[0]"));
+  CHECK_THAT(changed((patch + "controls/0").c_str(), 18446744073709551615u),
+             ContainsSubstring("controls[0]"));
   CHECK_THAT(changed((patch + "controls/0").c_str(), 5), ContainsSubstring("25 entries"));
   CHECK_THAT(changed((patch + "coefficients/3").c_str(), {1, 2}), ContainsSubstring("coefficients[3]"));
   CHECK_THAT(changed((patch + "coefficients/3/1").c_str(), "x"), ContainsSubstring("coefficients[3][1]"));
@@ -273,7 +280,8 @@ TEST_CASE("damaged CBOR is refused, whatever the damage")
   using Catch::Matchers::ContainsSubstring;
   CHECK(message(good) == "accepted");
   int accepted = 0;
-  for (std::size_t n = 0; n < good.size(); n += n < 300 ? 1 : 37) accepted += message(good.substr(0, n)) == "accepted";
+  for (std::size_t n = 0; n < good.size(); n += n < 300 ? 1 : 37)
+    accepted += message(good.substr(0, n)) == "accepted";
   CHECK(accepted == 0);
   for (std::size_t k = 0; k < good.size(); k += 3) { // what is left may be a surface: it must not crash
     std::string changed = good;
@@ -283,7 +291,8 @@ TEST_CASE("damaged CBOR is refused, whatever the damage")
   const std::string key = "\xa1\x61x"; // an object with the key x
   CHECK_THAT(message(good + "x"), ContainsSubstring("behind the end"));
   CHECK_THAT(message(key + std::string(1000000, '\x81')), ContainsSubstring("too deeply"));
-  CHECK_THAT(message(key + std::string(1000000, '\x7f')), ContainsSubstring("byte 4: an item without a length"));
+  CHECK_THAT(message(key + std::string(1000000, '\x7f')),
+             ContainsSubstring("byte 4: an item without a length"));
   CHECK_THAT(message(key + "\xc1\x01"), ContainsSubstring("a tag"));
   CHECK_THAT(message(key + "\x9b\x7f\xff\xff\xff\xff\xff\xff\xff"), ContainsSubstring("announced"));
   CHECK_THAT(message(key + "\x7b\x7f\xff\xff\xff\xff\xff\xff\xff"), ContainsSubstring("too early"));
@@ -307,9 +316,9 @@ TEST_CASE("files are as nlohmann::json writes them")
   const std::vector<Eigen::Vector3d> corners = {
     {0, -0., 1e-320}, {1e300, -5, 0.1}, {float(0.1), 1 << 20, 1e21}, {-1e-5, 123456789, 1 / 3.}};
   std::vector<Eigen::Vector3d> many(70000, Eigen::Vector3d(1, 2, 3)); // 24, 256 and 65536 are steps of CBOR
-  check(Plane({SM::Patch_stack_embedding({SM::Spline_patch({0, 0, 1, 1}, 1, 2, 2, corners),
-                                          SM::Spline_patch({0, 0, 1, 1}, 1, 2, 35000, many),
-                                          SM::Spline_patch({0, 0, 1, 1}, 1, 100, 300, {corners[0]}, {29999})})}));
+  check(Plane({SM::Patch_stack_embedding(
+    {SM::Spline_patch({0, 0, 1, 1}, 1, 2, 2, corners), SM::Spline_patch({0, 0, 1, 1}, 1, 2, 35000, many),
+     SM::Spline_patch({0, 0, 1, 1}, 1, 100, 300, {corners[0]}, {29999})})}));
 }
 
 TEST_CASE("where memory ends at any point, that is an exception, and files stay as they are")

@@ -76,8 +76,8 @@ TEST_CASE("each primitive of a glTF file is a tile with coordinates in its chart
     for (int i = 0; i < 25; ++i) {
       const SM::Chart_point a{c, {uvs[2 * i], 1 - uvs[2 * i + 1]}};
       const Eigen::Vector3f point(&points[3 * i]), normal(&normals[3 * i]);
-      worst = std::max({worst, (surface.point(a) - point.cast<double>()).norm(),
-                        (surface.normal(a) - normal.cast<double>()).norm()});
+      worst = (std::max)({worst, (surface.point(a) - point.cast<double>()).norm(),
+                          (surface.normal(a) - normal.cast<double>()).norm()});
     }
   }
   CHECK(worst < 1e-5);
@@ -97,8 +97,8 @@ TEST_CASE("positions are relative to the centre, so that far from the origin no 
   Eigen::Vector3d low(9, 9, 9), high = -low;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double x = translation[i % 3].get<double>() + points[i] - far[i % 3];
-    low[i % 3] = std::min(low[i % 3], x);
-    high[i % 3] = std::max(high[i % 3], x);
+    low[i % 3] = (std::min)(low[i % 3], x);
+    high[i % 3] = (std::max)(high[i % 3], x);
   }
   CHECK((low - Eigen::Vector3d(0, 0, 0)).norm() < 1e-6);
   CHECK((high - Eigen::Vector3d(1, 1, 1)).norm() < 1e-6);

@@ -18,7 +18,9 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 struct Obj {
   std::vector<Eigen::Vector3d> points, normals;
   std::vector<Eigen::Vector2d> coordinates;
-  struct Corner { int chart, point, coordinates, normal; };
+  struct Corner {
+    int chart, point, coordinates, normal;
+  };
   std::vector<Corner> corners;
 
   explicit Obj(const std::string& text)
@@ -69,8 +71,8 @@ TEST_CASE("each corner of an OBJ file has position, normal, and coordinates in t
   double worst = 0;
   for (const Obj::Corner& c : obj.corners) {
     const SM::Chart_point a{c.chart, obj.coordinates.at(c.coordinates - 1)};
-    worst = std::max({worst, (surface.point(a) - obj.points.at(c.point - 1)).norm(),
-                      (surface.normal(a) - obj.normals.at(c.normal - 1)).norm()});
+    worst = (std::max)({worst, (surface.point(a) - obj.points.at(c.point - 1)).norm(),
+                        (surface.normal(a) - obj.normals.at(c.normal - 1)).norm()});
   }
   CHECK(worst < 1e-12);
   CHECK(text.find("\nmtllib ring.mtl\n") != text.npos);

@@ -41,8 +41,10 @@ struct Report {
       packed += char(group >> bits & 255);
     }
     for (const auto& a : info["arrays"])
-      bytes.resize(bytes.size() + a["size"].get<std::size_t>() * a["components"].get<std::size_t>()
-                   * (a["type"] == "i8" ? 1 : a["type"] == "i16" ? 2 : 4));
+      bytes.resize(bytes.size() + a["size"].get<std::size_t>() * a["components"].get<std::size_t>() *
+                                    (a["type"] == "i8"    ? 1
+                                     : a["type"] == "i16" ? 2
+                                                          : 4));
     uLongf size = uLongf(bytes.size());
     REQUIRE(uncompress(reinterpret_cast<Bytef*>(&bytes[0]), &size,
                        reinterpret_cast<const Bytef*>(packed.data()), uLong(packed.size())) == Z_OK);
@@ -72,7 +74,7 @@ struct Report {
 double largest_difference(const std::vector<float>& values, double truth)
 {
   double largest = 0;
-  for (double x : values) largest = std::max(largest, std::abs(x - truth));
+  for (double x : values) largest = (std::max)(largest, std::abs(x - truth));
   return largest;
 }
 
@@ -96,8 +98,8 @@ TEST_CASE("a report holds the mesh, the surface and their geometry")
   double place = 0, domain_place = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double centre = report.info["centre"][i % 3], diagonal = report.info["diagonal"];
-    place = std::max(place, std::abs(points[i] * diagonal + centre - map.point(i / 3)[i % 3]));
-    domain_place = std::max(domain_place, std::abs(domain[i] - map.domain_point(i / 3)[i % 3]));
+    place = (std::max)(place, std::abs(points[i] * diagonal + centre - map.point(i / 3)[i % 3]));
+    domain_place = (std::max)(domain_place, std::abs(domain[i] - map.domain_point(i / 3)[i % 3]));
   }
   CHECK(place < 2e-5);
   CHECK(domain_place < 2e-7);
@@ -124,7 +126,7 @@ TEST_CASE("a report holds the mesh, the surface and their geometry")
   const auto surface_domain = report.array<float>("surface.domain");
   double angle = 0;
   for (std::size_t i = 0; i < normals.size(); ++i)
-    angle = std::max(angle, std::abs(normals[i] / 32767. - surface_domain[i]));
+    angle = (std::max)(angle, std::abs(normals[i] / 32767. - surface_domain[i]));
   CHECK(angle < 1e-4);
 }
 
@@ -151,8 +153,7 @@ TEST_CASE("distortions of faces have the means of the map's distortion")
   double area = 0, angle = 0, log_area = 0;
   for (std::size_t f = 0; f < map.number_of_faces(); ++f) {
     const SM::Triangle& t = map.face(f);
-    const double a
-      = (map.point(t[1]) - map.point(t[0])).cross(map.point(t[2]) - map.point(t[0])).norm();
+    const double a = (map.point(t[1]) - map.point(t[0])).cross(map.point(t[2]) - map.point(t[0])).norm();
     area += a;
     angle += a * d.angle[f];
     log_area += a * std::abs(d.log10_area[f]);
@@ -215,7 +216,7 @@ TEST_CASE("control cells of a linear spline of any level lie on it")
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) {
         const double u = i ? box.max().x() : box.min().x(), v = j ? box.max().y() : box.min().y();
-        largest = std::max(largest, (control(1 + i, 1 + j) - linear(u, v)).norm());
+        largest = (std::max)(largest, (control(1 + i, 1 + j) - linear(u, v)).norm());
       }
   });
   CHECK(count == e.number_of_leaves());

@@ -35,10 +35,10 @@ TEST_CASE("a tessellation in a file has the geometry of the surface at its verti
     for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
       const double x = column("x")[v], y = column("y")[v], z = column("z")[v], c = std::hypot(x, y) - 3;
       const SM::Chart_point q{int(column("chart")[v]), {column("u")[v], column("v")[v]}};
-      worst = std::max({worst, std::abs(column("nx")[v] - c * x / (3 + c)), std::abs(column("nz")[v] - z),
-                        std::abs(column("gaussian_curvature")[v] - c / (3 + c)),
-                        std::abs(column("mean_curvature")[v] - (1 + c / (3 + c)) / 2),
-                        (surface.point(q) - Eigen::Vector3d(x, y, z)).norm()});
+      worst = (std::max)({worst, std::abs(column("nx")[v] - c * x / (3 + c)), std::abs(column("nz")[v] - z),
+                          std::abs(column("gaussian_curvature")[v] - c / (3 + c)),
+                          std::abs(column("mean_curvature")[v] - (1 + c / (3 + c)) / 2),
+                          (surface.point(q) - Eigen::Vector3d(x, y, z)).norm()});
     }
     CHECK(worst < 1e-12);
   }

@@ -73,9 +73,9 @@ TEMPLATE_TEST_CASE("a bump has its definition's values and derivatives", "", Smo
     REQUIRE(bump(x) == j[0]);
     REQUIRE(bump(x) > 0);
     // relative: the smallest values are the powers of a small x
-    value = std::max(value, std::abs(truth::to_double((j[0] - f) / f)));
-    first = std::max(first, std::abs(truth::to_double(j[1] - (fp - fm) / (2 * h))));
-    second = std::max(second, std::abs(truth::to_double(j[2] - (fp - 2 * f + fm) / (h * h))));
+    value = (std::max)(value, std::abs(truth::to_double((j[0] - f) / f)));
+    first = (std::max)(first, std::abs(truth::to_double(j[1] - (fp - fm) / (2 * h))));
+    second = (std::max)(second, std::abs(truth::to_double(j[2] - (fp - 2 * f + fm) / (h * h))));
     REQUIRE(abs(bump.value(Real(x)) / f - 1) < Real("1e-25")); // what the tests of smoothness look at
   }
   CAPTURE(value, first, second);

@@ -50,7 +50,7 @@ TEST_CASE("composition, product and quotient of jets follow the chain, product a
     };
     const double size =
       1 + at_x.uu.norm() * transition.u.squaredNorm() + at_x.vv.norm() * transition.v.squaredNorm();
-    error = std::max(
+    error = (std::max)(
       {error, truth::difference(compose(at_x, transition), truth::jet<Vector3d>(composed, u, v)) / size,
        truth::difference(product(scalar_jet(u, v), at_u), truth::jet<Vector3d>(multiplied, u, v)),
        truth::difference(quotient(at_u, scalar_jet(u, v)), truth::jet<Vector3d>(divided, u, v))});

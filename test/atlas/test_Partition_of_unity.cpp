@@ -76,7 +76,7 @@ Real blend(const Torus_atlas&, int a, int c, const Real& u, const Real& v)
 
 double largest(const Scalar_jet& j)
 {
-  return std::max(
+  return (std::max)(
     {std::abs(j.value), std::abs(j.u), std::abs(j.v), std::abs(j.uu), std::abs(j.uv), std::abs(j.vv)});
 }
 
@@ -130,16 +130,16 @@ TEMPLATE_TEST_CASE("the weights are a partition of unity", "", (Partition_of_uni
     for (std::size_t k = 0; k < weights.size(); ++k) {
       REQUIRE(weights[k].point.chart == jets[k].point.chart);
       REQUIRE(jets[k].point.uv == jets[k].transition.value);
-      agreement = std::max({agreement, std::abs(weights[k].weight - jets[k].weight.value),
-                            (weights[k].point.uv - jets[k].point.uv).norm()});
+      agreement = (std::max)({agreement, std::abs(weights[k].weight - jets[k].weight.value),
+                              (weights[k].point.uv - jets[k].point.uv).norm()});
       negative += !(weights[k].weight > 0);
       sum += weights[k].weight;
       total += jets[k].weight;
-      size = std::max(size, largest(jets[k].weight));
+      size = (std::max)(size, largest(jets[k].weight));
     }
-    value_error = std::max({value_error, std::abs(sum - 1), std::abs(total.value - 1)});
+    value_error = (std::max)({value_error, std::abs(sum - 1), std::abs(total.value - 1)});
     total.value = 0;
-    derivative_error = std::max(derivative_error, largest(total) / size);
+    derivative_error = (std::max)(derivative_error, largest(total) / size);
   }
   CAPTURE(value_error * 1e15, derivative_error * 1e15, agreement * 1e15);
   CHECK(value_error < 1e-14);
@@ -166,7 +166,7 @@ TEMPLATE_TEST_CASE("the weights and their derivatives in 50 digits", "",
     for (const Chart_point& a : Atlas().charts_at(random_point(random, Atlas()))) {
       double size = 1;
       for (const auto& w : partition.weight_jets(a)) {
-        size = std::max(size, largest(w.weight));
+        size = (std::max)(size, largest(w.weight));
       }
       for (const auto& w : partition.weight_jets(a)) {
         const int c = w.point.chart;
@@ -176,7 +176,7 @@ TEMPLATE_TEST_CASE("the weights and their derivatives in 50 digits", "",
         const auto j = truth::jet<Eigen::Matrix<double, 1, 1>>(f, a.uv[0], a.uv[1]);
         const Scalar_jet d{w.weight.value - j.value[0], w.weight.u - j.u[0],   w.weight.v - j.v[0],
                            w.weight.uu - j.uu[0],       w.weight.uv - j.uv[0], w.weight.vv - j.vv[0]};
-        error = std::max(error, largest(d) / size);
+        error = (std::max)(error, largest(d) / size);
       }
     }
   }
@@ -239,7 +239,7 @@ TEMPLATE_TEST_CASE_SIG("the smallest sum of bumps on the sphere is at the cube's
   truth::Random random(3);
   double least = 1;
   for (int i = 0; i < 20000; ++i) {
-    least = std::min(least, sum(random.sphere()));
+    least = (std::min)(least, sum(random.sphere()));
   }
   CHECK(least > sum(corner) * (1 - 1e-12));
   CHECK(least < sum(corner) * 1.1);
@@ -255,7 +255,7 @@ TEST_CASE("the smallest sum of cubic bumps on the torus is a quarter of the peak
       for (const Chart_point& q : partition.atlas().charts_at({i / 300., j / 300.})) {
         s += partition.proto(q.uv);
       }
-      least = std::min(least, s / partition.proto({0.5, 0.5}));
+      least = (std::min)(least, s / partition.proto({0.5, 0.5}));
     }
   }
   CHECK(least == Approx(0.25).epsilon(1e-9));
@@ -425,11 +425,11 @@ TEMPLATE_TEST_CASE("the largest derivatives of the weights", "", Bspline_bump<2>
           double sum = 0;
           for (const auto& w : partition.weight_jets(p)) {
             const Covariant k = covariant(partition.atlas(), w.weight, uv);
-            most[0] = std::max(most[0], k.gradient.norm());
-            most[1] = std::max(most[1], k.hessian.norm());
+            most[0] = (std::max)(most[0], k.gradient.norm());
+            most[1] = (std::max)(most[1], k.hessian.norm());
             sum += k.hessian.norm();
           }
-          most[2] = std::max(most[2], sum);
+          most[2] = (std::max)(most[2], sum);
         }
       }
     }

@@ -94,7 +94,7 @@ TEST_CASE("interpolation in a triangle of the plane and its inverse")
     REQUIRE((x - (b[0] * p + b[1] * q + b[2] * r)).norm() < 1e-15);
     const Vector3d back = atlas.barycentric(p, q, r, x);
     REQUIRE(std::abs(back.sum() - 1) < 1e-15);
-    worst = std::max(worst, (back - b).norm() * area);
+    worst = (std::max)(worst, (back - b).norm() * area);
     REQUIRE(atlas.interpolate(p, q, r, {0, 1, 0}) == q);
   }
   CHECK(worst < 1e-15);

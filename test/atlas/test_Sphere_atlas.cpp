@@ -60,15 +60,15 @@ TEST_CASE("the sphere's charts follow the formulas")
       return truth::sphere_point(c, u, v);
     };
     const auto p = truth::jet<Vector3d>(exact, uv[0], uv[1]);
-    point_error = std::max(point_error, (atlas.point({c, uv}) - p.value).norm());
-    jet_error = std::max(jet_error, truth::difference(atlas.chart(c).point_jet(uv), p));
+    point_error = (std::max)(point_error, (atlas.point({c, uv}) - p.value).norm());
+    jet_error = (std::max)(jet_error, truth::difference(atlas.chart(c).point_jet(uv), p));
 
     const auto x = truth::sphere_coordinates(c, reals(p.value));
     const Vector2d computed = atlas.coordinates(c, p.value);
-    coordinate_error = std::max({coordinate_error, std::abs(truth::to_double(x[0] - computed[0])),
-                                 std::abs(truth::to_double(x[1] - computed[1]))});
-    round_trip = std::max(round_trip, (atlas.coordinates(c, atlas.point({c, uv})) - uv).norm());
-    back = std::max(back, (atlas.point({c, computed}) - p.value).norm());
+    coordinate_error = (std::max)({coordinate_error, std::abs(truth::to_double(x[0] - computed[0])),
+                                   std::abs(truth::to_double(x[1] - computed[1]))});
+    round_trip = (std::max)(round_trip, (atlas.coordinates(c, atlas.point({c, uv})) - uv).norm());
+    back = (std::max)(back, (atlas.point({c, computed}) - p.value).norm());
     REQUIRE(atlas.contains(c, p.value));
     // positively oriented with the outward normal
     REQUIRE(internal::determinant(p.u, p.v, p.value) > 0);
@@ -107,10 +107,10 @@ TEST_CASE("gradients and Hessians of the sphere's coordinates follow the formula
     const auto expected = [&](const Vector3d& e, const Vector3d& f, const Vector3d& g) {
       return Vector2d(e.dot(hessian_u * f) + gradient_u.dot(g), e.dot(hessian_v * f) + gradient_v.dot(g));
     };
-    error = std::max({error, (j.u - Vector2d(gradient_u.dot(a), gradient_v.dot(a))).norm(),
-                      (j.v - Vector2d(gradient_u.dot(b), gradient_v.dot(b))).norm(),
-                      (j.uu - expected(a, a, c)).norm(), (j.uv - expected(a, b, d)).norm(),
-                      (j.vv - expected(b, b, a)).norm()});
+    error = (std::max)({error, (j.u - Vector2d(gradient_u.dot(a), gradient_v.dot(a))).norm(),
+                        (j.v - Vector2d(gradient_u.dot(b), gradient_v.dot(b))).norm(),
+                        (j.uu - expected(a, a, c)).norm(), (j.uv - expected(a, b, d)).norm(),
+                        (j.vv - expected(b, b, a)).norm()});
   }
   CAPTURE(error);
   CHECK(error < 1e-13); // Hessians reach 2 / (pi r2^2), about 30
@@ -131,9 +131,9 @@ TEST_CASE("the sphere's transitions and their derivatives")
         const Transition_jet psi = atlas.transition_jet(i, j, a.uv);
         REQUIRE(psi.value == atlas.transition(i, j, a.uv));
         error =
-          std::max(error, truth::difference(psi, truth::jet<Vector2d>(transition(i, j), a.uv[0], a.uv[1])));
-        inverse = std::max(inverse, truth::difference(compose(atlas.transition_jet(j, i, psi.value), psi),
-                                                      identity_jet(a.uv)));
+          (std::max)(error, truth::difference(psi, truth::jet<Vector2d>(transition(i, j), a.uv[0], a.uv[1])));
+        inverse = (std::max)(inverse, truth::difference(compose(atlas.transition_jet(j, i, psi.value), psi),
+                                                        identity_jet(a.uv)));
         if (i == j) {
           REQUIRE(truth::difference(psi, identity_jet(a.uv)) == 0);
         }
@@ -167,7 +167,7 @@ TEST_CASE("psi_02 = psi_12 o psi_01 on the sphere, with derivatives")
       const Transition_jet ab = atlas.transition_jet(a.chart, b.chart, a.uv);
       const Transition_jet bc = atlas.transition_jet(b.chart, c.chart, ab.value);
       const Transition_jet ac = atlas.transition_jet(a.chart, c.chart, a.uv);
-      error = std::max(error, truth::difference(compose(bc, ab), ac));
+      error = (std::max)(error, truth::difference(compose(bc, ab), ac));
       ++triples;
     } while (std::next_permutation(order, order + 3));
   }
@@ -335,8 +335,8 @@ TEST_CASE("the tiles of the sphere in their charts")
     for (const Vector3d& p : {atlas.tile_point(0, 0, t), atlas.tile_point(0, 1, t), atlas.tile_point(0, t, 0),
                               atlas.tile_point(0, t, 1)}) {
       const Vector2d uv = atlas.coordinates(0, p);
-      least_u = std::min(least_u, uv[0]), most_u = std::max(most_u, uv[0]);
-      least_v = std::min(least_v, uv[1]), most_v = std::max(most_v, uv[1]);
+      least_u = (std::min)(least_u, uv[0]), most_u = (std::max)(most_u, uv[0]);
+      least_v = (std::min)(least_v, uv[1]), most_v = (std::max)(most_v, uv[1]);
     }
   }
   CHECK(least_u == Approx(0.25).margin(1e-15));
@@ -413,7 +413,7 @@ TEST_CASE("interpolation in a triangle of the sphere and its inverse")
       const Vector3d back = atlas.barycentric(p, q, r, x);
       REQUIRE(std::abs(back.sum() - 1) < 1e-14);
       // x is rounded: an error of 1e-16 is amplified by 1 / size and by the shape
-      worst[k] = std::max(worst[k], (back - b).norm() * sizes[k]);
+      worst[k] = (std::max)(worst[k], (back - b).norm() * sizes[k]);
       REQUIRE(atlas.interpolate(p, q, r, {1, 0, 0}) == p);
       REQUIRE(atlas.interpolate(p, q, r, {0, 0, 1}) == r);
     }

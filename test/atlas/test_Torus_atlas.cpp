@@ -22,12 +22,12 @@ const Torus_atlas atlas;
 double distance(double a, double b)
 {
   const double d = std::abs(a - b);
-  return std::min(d, 1 - d);
+  return (std::min)(d, 1 - d);
 }
 
 double distance(const Vector2d& a, const Vector2d& b)
 {
-  return std::max(distance(a[0], b[0]), distance(a[1], b[1]));
+  return (std::max)(distance(a[0], b[0]), distance(a[1], b[1]));
 }
 
 truth::Rational reduced(const truth::Rational& difference) // into (-1/2,1/2]
@@ -58,14 +58,14 @@ TEST_CASE("the nine charts of the torus follow the formulas")
     REQUIRE((p[0] >= 0 && p[0] < 1 && p[1] >= 0 && p[1] < 1));
     const auto exact = truth::torus_point(c, uv[0], uv[1]);
     point_error =
-      std::max(point_error, distance(p, {truth::to_double(exact[0]), truth::to_double(exact[1])}));
+      (std::max)(point_error, distance(p, {truth::to_double(exact[0]), truth::to_double(exact[1])}));
     REQUIRE(atlas.contains(c, p));
     const Vector2d st = atlas.coordinates(c, p);
     const auto x = truth::torus_coordinates(c, {p[0], p[1]});
-    coordinate_error = std::max(
+    coordinate_error = (std::max)(
       {coordinate_error, std::abs(truth::to_double(x[0] - st[0])), std::abs(truth::to_double(x[1] - st[1]))});
-    round_trip = std::max(round_trip, (st - uv).norm());
-    back = std::max(back, distance(atlas.point({c, st}), p));
+    round_trip = (std::max)(round_trip, (st - uv).norm());
+    back = (std::max)(back, distance(atlas.point({c, st}), p));
   }
   CAPTURE(point_error, coordinate_error, round_trip, back);
   CHECK(point_error < 3e-16);
@@ -105,7 +105,7 @@ TEST_CASE("the torus's transitions are translations by 0 or +-1/2")
       for (const Chart_point& b : atlas.charts_at(p)) {
         ++seen[a.chart][b.chart];
         const Transition_jet psi = atlas.transition_jet(a.chart, b.chart, a.uv);
-        error = std::max(error, (psi.value - b.uv).norm());
+        error = (std::max)(error, (psi.value - b.uv).norm());
         REQUIRE(psi.value == atlas.transition(a.chart, b.chart, a.uv));
         REQUIRE(truth::difference(psi, identity_jet(psi.value)) == 0); // J = I, H = 0 exactly
         for (int i = 0; i < 2; ++i) {
@@ -193,7 +193,7 @@ TEST_CASE("the torus's charts are open, in floating point too")
       for (const Chart_point& q : list) {
         REQUIRE(internal::is_in_open_unit_square(q.uv));
         has_tile |= q.chart == atlas.tile(p);
-        best = std::max(best, std::min({q.uv[0], 1 - q.uv[0], q.uv[1], 1 - q.uv[1]}));
+        best = (std::max)(best, (std::min)({q.uv[0], 1 - q.uv[0], q.uv[1], 1 - q.uv[1]}));
         const Vector2d back = atlas.point(q);
         REQUIRE((back[0] < 1 && back[1] < 1 && distance(back, p) < 2e-16));
       }
@@ -319,7 +319,7 @@ TEST_CASE("interpolation in a triangle of the torus and its inverse")
       REQUIRE(distance(x, atlas.canonical(p + b[1] * d + b[2] * e)) < 1e-15);
       const Vector3d back = atlas.barycentric(p, q, r, x);
       REQUIRE(std::abs(back.sum() - 1) < 1e-15);
-      worst = std::max(worst, (back - b).norm() * size);
+      worst = (std::max)(worst, (back - b).norm() * size);
       REQUIRE(atlas.interpolate(p, q, r, {1, 0, 0}) == p);
       REQUIRE(distance(atlas.interpolate(p, q, r, {0, 1, 0}), q) < 2e-16);
     }

@@ -5,7 +5,7 @@
 
 #include "random_surfaces.h"
 
-#include <CGAL/Simple_manifolds/correspondence/paper/internal/working_mesh.h>
+#include <CGAL/Simple_manifolds/paper/map/internal/working_mesh.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -28,8 +28,7 @@ inline Triangle_mesh random_round_sphere(int subdivisions, int flips, Random& ra
   Triangle_mesh mesh = bipyramid(4);
   for (int i = 0; i < subdivisions; ++i)
     CGAL::Simple_manifolds::internal::subdivide(mesh.points, mesh.triangles);
-  for (auto& p : mesh.points)
-    p.normalize();
+  for (auto& p : mesh.points) p.normalize();
   flip_random_edges(mesh, flips, random);
   return mesh;
 }
@@ -45,14 +44,11 @@ inline bool is_simple_path(const Mesh& mesh, const Path& path, bool is_loop = fa
 {
   std::vector<Vertex> visited;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    if (i > 0 && target(path[i - 1], mesh) != source(path[i], mesh))
-      return false;
+    if (i > 0 && target(path[i - 1], mesh) != source(path[i], mesh)) return false;
     visited.push_back(source(path[i], mesh));
   }
-  if (!path.empty() && (target(path.back(), mesh) == visited.front()) != is_loop)
-    return false;
-  if (!path.empty() && !is_loop)
-    visited.push_back(target(path.back(), mesh));
+  if (!path.empty() && (target(path.back(), mesh) == visited.front()) != is_loop) return false;
+  if (!path.empty() && !is_loop) visited.push_back(target(path.back(), mesh));
   std::sort(visited.begin(), visited.end());
   return std::adjacent_find(visited.begin(), visited.end()) == visited.end();
 }

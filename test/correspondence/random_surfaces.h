@@ -50,16 +50,14 @@ inline void flip_random_edges(Triangle_mesh& mesh, int times, Random& random)
       face[{mesh.triangles[f][k], mesh.triangles[f][(k + 1) % 3]}] = static_cast<int>(f);
   for (int i = 0; i < times; ++i) {
     const int f = random.below(static_cast<int>(mesh.triangles.size())), k = random.below(3);
-    const int a = mesh.triangles[f][k], b = mesh.triangles[f][(k + 1) % 3], c = mesh.triangles[f][(k + 2) % 3];
+    const int a = mesh.triangles[f][k], b = mesh.triangles[f][(k + 1) % 3],
+              c = mesh.triangles[f][(k + 2) % 3];
     const auto other = face.find({b, a});
-    if (other == face.end())
-      continue; // an edge of the border
+    if (other == face.end()) continue; // an edge of the border
     const int g = other->second;
     int d = -1;
-    for (int v : mesh.triangles[g])
-      d = v != a && v != b ? v : d;
-    if (d == c || face.count({c, d}) || face.count({d, c}))
-      continue;
+    for (int v : mesh.triangles[g]) d = v != a && v != b ? v : d;
+    if (d == c || face.count({c, d}) || face.count({d, c})) continue;
     face.erase({a, b});
     face.erase({b, a});
     mesh.triangles[f] = {c, a, d};
@@ -135,12 +133,12 @@ inline Triangle_mesh without_star(Triangle_mesh mesh, int hole)
 {
   const int last = static_cast<int>(mesh.points.size()) - 1;
   for (auto& t : mesh.triangles)
-    for (int& v : t)
-      v = v == hole ? last : v == last ? hole : v;
+    for (int& v : t) v = v == hole ? last : v == last ? hole : v;
   std::swap(mesh.points[hole], mesh.points[last]);
-  mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(),
-                                      [&](const auto& t) { return std::count(t.begin(), t.end(), last) > 0; }),
-                       mesh.triangles.end());
+  mesh.triangles.erase(
+    std::remove_if(mesh.triangles.begin(), mesh.triangles.end(),
+                   [&](const auto& t) { return std::count(t.begin(), t.end(), last) > 0; }),
+    mesh.triangles.end());
   mesh.points.pop_back();
   return mesh;
 }
@@ -150,7 +148,8 @@ inline Triangle_mesh bipyramid(int n)
 {
   Triangle_mesh mesh;
   for (int i = 0; i < n; ++i) {
-    mesh.points.emplace_back(std::cos(2 * 3.141592653589793 * i / n), std::sin(2 * 3.141592653589793 * i / n), 0);
+    mesh.points.emplace_back(std::cos(2 * 3.141592653589793 * i / n), std::sin(2 * 3.141592653589793 * i / n),
+                             0);
     mesh.triangles.push_back({i, (i + 1) % n, n});
     mesh.triangles.push_back({(i + 1) % n, i, n + 1});
   }
@@ -165,7 +164,8 @@ inline Triangle_mesh tube(int rings, int k)
   Triangle_mesh mesh;
   for (int i = 0; i < rings; ++i)
     for (int j = 0; j < k; ++j)
-      mesh.points.emplace_back(i, std::cos(2 * 3.141592653589793 * j / k), std::sin(2 * 3.141592653589793 * j / k));
+      mesh.points.emplace_back(i, std::cos(2 * 3.141592653589793 * j / k),
+                               std::sin(2 * 3.141592653589793 * j / k));
   for (int i = 0; i + 1 < rings; ++i)
     for (int j = 0; j < k; ++j) {
       const int a = i * k + j, b = i * k + (j + 1) % k;

@@ -3,10 +3,10 @@
 #ifndef SIMPLE_MANIFOLDS_TEST_CORRESPONDENCE_SAMPLE_MAPS_H
 #define SIMPLE_MANIFOLDS_TEST_CORRESPONDENCE_SAMPLE_MAPS_H
 
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -36,15 +36,13 @@ inline Map_arrays<SM::Sphere_atlas> octahedron()
 {
   Map_arrays<SM::Sphere_atlas> m;
   for (int axis = 0; axis < 3; ++axis)
-    for (double sign : {1., -1.})
-      m.domain_points.push_back(sign * Eigen::Vector3d::Unit(axis));
+    for (double sign : {1., -1.}) m.domain_points.push_back(sign * Eigen::Vector3d::Unit(axis));
   m.points = m.domain_points;
   for (int x = 0; x < 2; ++x)
     for (int y = 0; y < 2; ++y)
       for (int z = 0; z < 2; ++z) {
         Triangle t = {x, 2 + y, 4 + z};
-        if ((x + y + z) % 2)
-          std::swap(t[1], t[2]);
+        if ((x + y + z) % 2) std::swap(t[1], t[2]);
         m.faces.push_back(t);
       }
   return m;
@@ -57,8 +55,7 @@ inline Map_arrays<SM::Sphere_atlas> subdivided(Map_arrays<SM::Sphere_atlas> m, i
     std::map<std::pair<int, int>, int> middle;
     const auto middle_of = [&](int v, int w) {
       const auto found = middle.emplace(std::minmax(v, w), static_cast<int>(m.domain_points.size()));
-      if (found.second)
-        m.domain_points.push_back((m.domain_points[v] + m.domain_points[w]).normalized());
+      if (found.second) m.domain_points.push_back((m.domain_points[v] + m.domain_points[w]).normalized());
       return found.first->second;
     };
     std::vector<Triangle> faces;
@@ -77,21 +74,21 @@ inline Map_arrays<SM::Sphere_atlas> subdivided(Map_arrays<SM::Sphere_atlas> m, i
 /// The sphere with the domain points moved by a linear map and projected back: one to one again.
 inline Map_arrays<SM::Sphere_atlas> stretched(Map_arrays<SM::Sphere_atlas> m, const Eigen::Matrix3d& linear)
 {
-  for (Eigen::Vector3d& p : m.domain_points)
-    p = (linear * p).normalized();
+  for (Eigen::Vector3d& p : m.domain_points) p = (linear * p).normalized();
   return m;
 }
 
 /// Two triangles per cell of an n x m grid, the first vertex at `origin`; in space a ring torus with
 /// the radii 2 and 1.
-inline Map_arrays<SM::Torus_atlas> torus_grid(int n, int m, const Eigen::Vector2d& origin = Eigen::Vector2d(0, 0))
+inline Map_arrays<SM::Torus_atlas> torus_grid(int n, int m,
+                                              const Eigen::Vector2d& origin = Eigen::Vector2d(0, 0))
 {
   const double pi = 3.14159265358979323846;
   Map_arrays<SM::Torus_atlas> map;
   for (int j = 0; j < m; ++j)
     for (int i = 0; i < n; ++i) {
-      const Eigen::Vector2d p
-        = SM::Torus_atlas().canonical(origin + Eigen::Vector2d(double(i) / n, double(j) / m));
+      const Eigen::Vector2d p =
+        SM::Torus_atlas().canonical(origin + Eigen::Vector2d(double(i) / n, double(j) / m));
       map.domain_points.push_back(p);
       const double r = 2 + std::cos(2 * pi * p.y());
       map.points.emplace_back(r * std::cos(2 * pi * p.x()), r * std::sin(2 * pi * p.x()),
@@ -137,8 +134,7 @@ inline Map_arrays<SM::Plane_atlas> square_fan(int n, const Eigen::Vector2d& cent
                                         : Eigen::Vector2d(0, 4 - t));
     map.faces.push_back({0, 1 + i, 1 + (i + 1) % n});
   }
-  for (const auto& p : map.domain_points)
-    map.points.emplace_back(p.x(), p.y(), 0);
+  for (const auto& p : map.domain_points) map.points.emplace_back(p.x(), p.y(), 0);
   return map;
 }
 
@@ -166,8 +162,7 @@ public:
   {
     for (;;) {
       const Eigen::Vector3d p(2 * number() - 1, 2 * number() - 1, 2 * number() - 1);
-      if (p.norm() < 1 && p.norm() > 0.1)
-        return p.normalized();
+      if (p.norm() < 1 && p.norm() > 0.1) return p.normalized();
     }
   }
   template <class Atlas>

@@ -111,14 +111,12 @@ TEST_CASE("the criteria 2 and 3 are met by moves where moves can do it")
       const Vector3d& b = m.domain_points[ring[(i + 1) % ring.size()]];
       m.domain_points[v] = ((a + b).normalized() + 1e-4 * old).normalized();
       std::vector<Vector3d> star;
-      for (int w : ring)
-        star.push_back(m.domain_points[w]);
-      if (internal::Star_repair<Sphere_atlas>::is_star_positive(m.domain_points[v], star)
-          && !internal::star_criteria(atlas, m.domain_points[v], star, true).contains_vertex)
+      for (int w : ring) star.push_back(m.domain_points[w]);
+      if (internal::Star_repair<Sphere_atlas>::is_star_positive(m.domain_points[v], star) &&
+          !internal::star_criteria(atlas, m.domain_points[v], star, true).contains_vertex)
         moved = v;
     }
-    if (moved == -1)
-      m.domain_points[v] = old;
+    if (moved == -1) m.domain_points[v] = old;
   }
   REQUIRE(moved != -1);
   CHECK(internal::Star_repair<Sphere_atlas>(mesh, m.domain_points).meet_criteria({moved}).empty());
@@ -155,8 +153,8 @@ TEST_CASE("a translation of a torus changes no edge, bit for bit")
   for (const Triangle& t : map.faces())
     for (int k = 0; k < 3; ++k) {
       const int v = t[k], w = t[(k + 1) % 3];
-      CHECK(internal::shortest_difference(map.domain_point(v), map.domain_point(w))
-            == internal::shortest_difference(balanced.domain_point(v), balanced.domain_point(w)));
+      CHECK(internal::shortest_difference(map.domain_point(v), map.domain_point(w)) ==
+            internal::shortest_difference(balanced.domain_point(v), balanced.domain_point(w)));
     }
 }
 
@@ -171,13 +169,11 @@ TEST_CASE("the counts that the search sees are those of the result")
   for (int j = 0; j < 120; j += 7) // some of the candidates, the long way
     for (int i = 0; i < 120; i += 3) {
       auto moved = map.domain_points();
-      for (Vector2d& p : moved)
-        p = Torus_atlas().canonical(p + Vector2d((i + 0.5) / 360, (j + 0.5) / 360));
-      least = std::min(least, chart_report(Torus_atlas(), moved, map.faces()).variation);
+      for (Vector2d& p : moved) p = Torus_atlas().canonical(p + Vector2d((i + 0.5) / 360, (j + 0.5) / 360));
+      least = (std::min)(least, chart_report(Torus_atlas(), moved, map.faces()).variation);
     }
   auto moved = map.domain_points();
-  for (Vector2d& p : moved)
-    p = Torus_atlas().canonical(p + t);
+  for (Vector2d& p : moved) p = Torus_atlas().canonical(p + t);
   CHECK(chart_report(Torus_atlas(), moved, map.faces()).variation <= least + 1e-12);
   CHECK(balance(map).domain_points() == moved);
 }

@@ -22,8 +22,7 @@ bool has_offender(const Certificate& c, const sample::Map_arrays<Atlas>& m, int 
   REQUIRE(!c.offending_faces.empty());
   for (int f : c.offending_faces) {
     const Triangle& t = m.faces[f];
-    if (t[0] != vertex && t[1] != vertex && t[2] != vertex)
-      return false;
+    if (t[0] != vertex && t[1] != vertex && t[2] != vertex) return false;
   }
   return true;
 }
@@ -56,8 +55,8 @@ TEST_CASE("a vertex pushed over an edge flips faces that are named")
 {
   auto sphere = sample::subdivided(sample::octahedron(), 2);
   const Triangle t = sphere.faces[40];
-  sphere.domain_points[t[0]] = (sphere.domain_points[t[1]] + sphere.domain_points[t[2]]
-                                - 0.5 * sphere.domain_points[t[0]]).normalized();
+  sphere.domain_points[t[0]] =
+    (sphere.domain_points[t[1]] + sphere.domain_points[t[2]] - 0.5 * sphere.domain_points[t[0]]).normalized();
   Certificate c = certify(sphere);
   CHECK(!c.is_valid());
   CHECK(c.flipped > 0);
@@ -104,8 +103,7 @@ TEST_CASE("a face without area is degenerate, exactly")
 TEST_CASE("a double cover of the torus has degree 2")
 {
   auto m = sample::torus_grid(8, 4);
-  for (auto& p : m.domain_points)
-    p = Torus_atlas().canonical(Eigen::Vector2d(2 * p.x(), p.y()));
+  for (auto& p : m.domain_points) p = Torus_atlas().canonical(Eigen::Vector2d(2 * p.x(), p.y()));
   const Certificate c = certify(m);
   CHECK(c.flipped == 0);
   CHECK(c.degenerate == 0);
@@ -118,8 +116,7 @@ TEST_CASE("a double cover of the torus has degree 2")
 TEST_CASE("a map that swaps orientation says so")
 {
   auto m = sample::octahedron();
-  for (auto& p : m.domain_points)
-    p = -p;
+  for (auto& p : m.domain_points) p = -p;
   const Certificate c = certify(m);
   CHECK(c.flipped == 8);
   CHECK(c.degree == Approx(-1));

@@ -20,8 +20,7 @@ Distortion distortion_of(const sample::Map_arrays<Atlas>& m)
 TEST_CASE("an isometry has none, whatever the scale")
 {
   auto m = sample::square_grid(4, 3, 1, 1);
-  for (auto& p : m.points)
-    p = 7 * Eigen::Vector3d(p.z(), p.x(), p.y()); // turned and scaled
+  for (auto& p : m.points) p = 7 * Eigen::Vector3d(p.z(), p.x(), p.y()); // turned and scaled
   const Distortion d = distortion_of(m);
   CHECK(d.angle_mean == Approx(1).epsilon(1e-14));
   CHECK(d.angle_max == Approx(1).epsilon(1e-12));
@@ -37,8 +36,7 @@ TEST_CASE("the size of the mesh changes no digit, from 1e-280 to 1e300")
   const Distortion d = distortion_of(m);
   for (const int exponent : {-930, -300, -1, 300, 990}) {
     auto scaled = m;
-    for (auto& p : scaled.points)
-      p *= std::ldexp(1., exponent);
+    for (auto& p : scaled.points) p *= std::ldexp(1., exponent);
     const Distortion e = distortion_of(scaled);
     CHECK(e.angle_mean == d.angle_mean);
     CHECK(e.area_mean_abs_log10 == d.area_mean_abs_log10);
@@ -92,8 +90,7 @@ TEST_CASE("the torus is measured in its own metric")
   // flat in space, sheared and stretched: only the unit square is to blame, if the metric is free
   sample::Map_arrays<Torus_atlas> m;
   m.domain_points = {{0.1, 0.1}, {0.3, 0.1}, {0.1, 0.3}, {0.3, 0.3}};
-  for (const auto& p : m.domain_points)
-    m.points.emplace_back(3 * p.x() + 2 * p.y(), p.y(), 5);
+  for (const auto& p : m.domain_points) m.points.emplace_back(3 * p.x() + 2 * p.y(), p.y(), 5);
   m.faces = {{0, 1, 3}, {0, 3, 2}};
   const Distortion best = distortion_of(m);
   CHECK(best.angle_max == Approx(1).epsilon(1e-10));
@@ -104,8 +101,8 @@ TEST_CASE("the torus is measured in its own metric")
   const Eigen::Matrix2d expected = to_space.transpose() * to_space / 3;
   CHECK((best.metric - expected).norm() < 1e-12);
 
-  const Distortion raw
-    = distortion(Torus_atlas(), m.points, m.domain_points, m.faces, Eigen::Matrix2d::Identity());
+  const Distortion raw =
+    distortion(Torus_atlas(), m.points, m.domain_points, m.faces, Eigen::Matrix2d::Identity());
   const Eigen::JacobiSVD<Eigen::Matrix2d> svd(to_space);
   CHECK(raw.angle_mean == Approx(svd.singularValues()[0] / svd.singularValues()[1]));
 }
@@ -130,8 +127,8 @@ TEST_CASE("faces without area in space are left out and counted")
 
 TEST_CASE("charts of vertices, stars and faces")
 {
-  const Chart_report coarse = chart_report(Sphere_atlas(), sample::octahedron().domain_points,
-                                           sample::octahedron().faces);
+  const Chart_report coarse =
+    chart_report(Sphere_atlas(), sample::octahedron().domain_points, sample::octahedron().faces);
   CHECK(coarse.chart_counts == std::vector<std::size_t>(6, 1));
   CHECK(coarse.stars_without_chart == 6); // a star is a closed half of the sphere
   CHECK(coarse.faces_without_chart == 8); // corners on three axes: each chart leaves two of them out

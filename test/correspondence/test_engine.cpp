@@ -4,13 +4,13 @@
 #include "random_surfaces.h"
 
 #include <CGAL/Simple_manifolds/Visitor.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/Collapse_hierarchy.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/Spherical_geometry.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/Square_geometry.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/Star_kernel.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/embed.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/split_edges.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/torus_cocycles.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/Collapse_hierarchy.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/Star_kernel.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/lay_out.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/Plane_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/Sphere_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/torus_cocycles.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/split_edges.h>
 
 using namespace CGAL::Simple_manifolds;
 using namespace CGAL::Simple_manifolds::internal;
@@ -22,8 +22,7 @@ namespace {
 std::vector<std::array<int, 3>> active_faces(const Corner_table& t, int n)
 {
   std::vector<std::array<int, 3>> faces;
-  for (int f = 0; f < n; ++f)
-    faces.push_back(t.face(f));
+  for (int f = 0; f < n; ++f) faces.push_back(t.face(f));
   return faces;
 }
 
@@ -40,8 +39,7 @@ bool is_consistent(const Corner_table& t, int vertices, int faces)
   for (int v = 0; v < vertices; ++v) {
     int ring = 0;
     t.for_each_outgoing(t.outgoing(v), [&](int h) { ring += t.origin(h) == v; });
-    if (ring != corners[v] || ring != t.degree(v))
-      return false;
+    if (ring != corners[v] || ring != t.degree(v)) return false;
   }
   return true;
 }
@@ -49,9 +47,9 @@ bool is_consistent(const Corner_table& t, int vertices, int faces)
 Collapse_hierarchy decimated(const Triangle_mesh& mesh, int minimum)
 {
   Collapse_hierarchy h(mesh.points, mesh.triangles, std::vector<float>(mesh.triangles.size(), 1.f), -1);
-  h.decimate<CGAL::Sequential_tag>(minimum, [](int) { return true; },
-                                   [](int, const std::vector<int>&, int) { return true; },
-                                   [](int) { return 1.f; }, [](double) {});
+  h.decimate<CGAL::Sequential_tag>(
+    minimum, [](int) { return true; }, [](int, const std::vector<int>&, int) { return true; },
+    [](int) { return 1.f; }, [](double) {});
   return h;
 }
 
@@ -65,8 +63,7 @@ TEST_CASE("Undoing the collapses restores the surface, and every level is a clos
   REQUIRE(h.number_of_active_vertices() == 4);
   REQUIRE(h.number_of_active_faces() == 4);
   double mass = 0;
-  for (int v = 0; v < 4; ++v)
-    mass += h.mass(v);
+  for (int v = 0; v < 4; ++v) mass += h.mass(v);
   CHECK(mass == Approx(596)); // the faces of the sphere
   while (h.level() < h.number_of_levels()) {
     const int first = h.number_of_active_vertices();
@@ -86,8 +83,7 @@ TEST_CASE("Undoing the collapses restores the surface, and every level is a clos
   };
   for (const auto& t : mesh.triangles)
     expected.insert(canonical({h.number_of(t[0]), h.number_of(t[1]), h.number_of(t[2])}));
-  for (const auto& t : active_faces(h.table(), h.number_of_active_faces()))
-    found.insert(canonical(t));
+  for (const auto& t : active_faces(h.table(), h.number_of_active_faces())) found.insert(canonical(t));
   CHECK(found == expected);
   for (int v = 0; v < 300; ++v) {
     CHECK(h.mass(v) == Approx(h.table().degree(v) / 3.));
@@ -103,8 +99,7 @@ TEST_CASE("Levels stay independent of each other in every finer mesh", "[engine]
   REQUIRE(h.number_of_active_vertices() <= 10);
   std::vector<int> level(h.number_of_vertices(), 0);
   for (int l = 1; l <= h.number_of_levels(); ++l)
-    for (int v = h.level_end(l - 1); v < h.level_end(l); ++v)
-      level[v] = l;
+    for (int v = h.level_end(l - 1); v < h.level_end(l); ++v) level[v] = l;
   while (h.level() < h.number_of_levels()) {
     h.refine([](int) {});
     for (int v = h.level_end(0); v < h.number_of_active_vertices(); ++v)
@@ -147,8 +142,7 @@ TEST_CASE("Cotangents are those of the triangle, and finite for none", "[engine]
   CHECK(4 * q[1] == Approx(2));
   CHECK(4 * q[2] == Approx(0.5));
   for (const auto& t : {quarter_cotangents(a, a, a, 1e-4), quarter_cotangents(a, b, Vector3d(1, 0, 0), 1e-4)})
-    for (double x : t)
-      CHECK(std::isfinite(x));
+    for (double x : t) CHECK(std::isfinite(x));
   CHECK(4 * quarter_cotangents(a, a, a, 1e-4)[1] == Approx(1 / std::sqrt(3.)));
 }
 
@@ -165,8 +159,7 @@ void check_derivatives(const Geometry& geometry, const typename Geometry::Point&
   std::vector<typename Star<Geometry>::Table::Sector> sectors;
   Star<Geometry> star;
   star.position = position;
-  for (const double angle : {0.1, 1.3, 2.9, 4.0, 5.2, 0.1})
-    star.ring.push_back(circle(angle));
+  for (const double angle : {0.1, 1.3, 2.9, 4.0, 5.2, 0.1}) star.ring.push_back(circle(angle));
   for (int i = 0; i < 5; ++i) {
     sectors.push_back({0.1f, 0.1f + 0.02f * static_cast<float>(i), 0.3f, 0.05f});
     star.fixed.push_back(0.1 * geometry.squared_length(star.ring[i + 1] - star.ring[i]));
@@ -198,16 +191,20 @@ TEST_CASE("Gradient and Hessian of the energies agree with finite differences", 
   const Vector3d p = Vector3d(0.3, -0.5, 0.8).normalized(), s = p.unitOrthogonal(), t = p.cross(s);
   for (const Energy energy : {Energy::SYMMETRIC_DIRICHLET, Energy::AMIPS})
     for (const bool is_open : {false, true}) {
-      check_derivatives(Spherical_geometry(0), p, is_open, [&](double angle) {
-        return Vector3d((p + 0.5 * std::cos(angle) * s + 0.3 * std::sin(angle) * t).normalized());
-      }, energy);
-      check_derivatives(Square_geometry({}, -1), Vector2d(0.01, 0.02), is_open, [&](double angle) {
-        return Vector2d(0.3 * std::cos(angle), 0.2 * std::sin(angle));
-      }, energy);
+      check_derivatives(
+        Sphere_geometry(0), p, is_open,
+        [&](double angle) {
+          return Vector3d((p + 0.5 * std::cos(angle) * s + 0.3 * std::sin(angle) * t).normalized());
+        },
+        energy);
+      check_derivatives(
+        Plane_geometry({}, -1), Vector2d(0.01, 0.02), is_open,
+        [&](double angle) { return Vector2d(0.3 * std::cos(angle), 0.2 * std::sin(angle)); }, energy);
     }
 }
 
-TEST_CASE("The Newton step is that of the Hessian where it is definite, and descends where it is not", "[engine]")
+TEST_CASE("The Newton step is that of the Hessian where it is definite, and descends where it is not",
+          "[engine]")
 {
   const Quadratic_model definite{0, 1, 2, 4, 1, 3};
   const Vector2d step = definite.newton_step(1, 0, 1);
@@ -224,8 +221,8 @@ TEST_CASE("The kernel of a star is clipped from its half-planes", "[engine]")
 {
   Star_kernel kernel;
   kernel.reset(2);
-  kernel.clip({0, Vector2d(1, 0)});  // x > 0
-  kernel.clip({0, Vector2d(0, 1)});  // y > 0
+  kernel.clip({0, Vector2d(1, 0)});   // x > 0
+  kernel.clip({0, Vector2d(0, 1)});   // y > 0
   kernel.clip({1, Vector2d(-1, -1)}); // x + y < 1
   REQUIRE_FALSE(kernel.is_empty());
   CHECK((kernel.centroid() - Vector2d(1 / 3., 1 / 3.)).norm() < 1e-15);
@@ -256,7 +253,7 @@ TEST_CASE("A triangle with split sides falls into triangles of the same total ar
     CHECK(pieces.size() == static_cast<std::size_t>(count + 1));
     double area = 0;
     for (const auto& t : pieces) {
-      const double a = Planar_geometry::cross(t[1] - t[0], t[2] - t[0]);
+      const double a = Flat_geometry::cross(t[1] - t[0], t[2] - t[0]);
       CHECK(a > 0);
       area += a;
     }
@@ -275,8 +272,9 @@ TEST_CASE("Target areas sum to the area of the domain and follow the weights", "
   CHECK(plain[1] - plain[2] == Approx(3 * (plain[0] - plain[2])));
   const auto weighted = target_areas(points, triangles, 4, {1, 1, 1, 4, 1}, 1e-9, 12);
   CHECK(weighted[1] / weighted[0] == Approx(2 * 3)); // mean weights 2 and 1, areas 1.5 and 0.5
-  for (const double unit : {1e-300, 1e-9, 1e300}) // only the ratios of weights count
-    CHECK(target_areas(points, triangles, 4, {unit, unit, unit, 4 * unit, unit}, 1e-9, 12)[1] == Approx(weighted[1]));
+  for (const double unit : {1e-300, 1e-9, 1e300})    // only the ratios of weights count
+    CHECK(target_areas(points, triangles, 4, {unit, unit, unit, 4 * unit, unit}, 1e-9, 12)[1] ==
+          Approx(weighted[1]));
   const std::vector<Vector3d> flat(5, Vector3d(0, 0, 0));
   CHECK(target_areas(flat, triangles, 4, {}, 0.1, 12)[0] == Approx(4));
 }
@@ -287,15 +285,14 @@ TEST_CASE("When a result is rejected, the map is begun anew with better conditio
   const Triangle_mesh mesh = random_sphere(60, 100, 0, random);
   Default_visitor visitor;
   for (int rejected = 0; rejected <= 3; ++rejected) {
-    Embedding_problem<Vector3d> problem{mesh.points, mesh.triangles};
+    Layout_problem<Vector3d> problem{mesh.points, mesh.triangles};
     problem.rejected_attempts = rejected;
     std::vector<Vector3d> result;
-    const bool embedded = embed<CGAL::Sequential_tag>(
-      problem, Map_options(), [](const std::vector<int>&) { return Spherical_geometry(60); },
-      [](const Collapse_hierarchy&, const Spherical_geometry& g, const auto& number) {
+    const bool embedded = lay_out<CGAL::Sequential_tag>(
+      problem, Map_options(), [](const std::vector<int>&) { return Sphere_geometry(60); },
+      [](const Collapse_hierarchy&, const Sphere_geometry& g, const auto& number) {
         std::vector<Vector3d> positions;
-        for (int v = 0; v < 60; ++v)
-          positions.push_back(g.position(number(v)));
+        for (int v = 0; v < 60; ++v) positions.push_back(g.position(number(v)));
         return positions;
       },
       [&](std::vector<Vector3d>&& positions) {
@@ -305,15 +302,14 @@ TEST_CASE("When a result is rejected, the map is begun anew with better conditio
       visitor);
     CHECK(embedded == (rejected < 3));
     for (const auto& t : mesh.triangles)
-      if (embedded)
-        CHECK(result[t[0]].dot(result[t[1]].cross(result[t[2]])) > 0);
+      if (embedded) CHECK(result[t[0]].dot(result[t[1]].cross(result[t[2]])) > 0);
   }
 }
 
 TEST_CASE("Snapped coordinates lie on the grid of 2^-50", "[engine]")
 {
   for (const double x : {0.1, 1 / 3., -1.7, 1e-20, 1.9999}) {
-    const double y = Planar_geometry::snapped(Vector2d(x, -x))[0];
+    const double y = Flat_geometry::snapped(Vector2d(x, -x))[0];
     CHECK(std::abs(y - x) <= std::ldexp(1., -51));
     CHECK(std::ldexp(y, 50) == std::floor(std::ldexp(y, 50)));
   }

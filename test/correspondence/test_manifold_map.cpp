@@ -60,8 +60,7 @@ void check_map(const sample::Map_arrays<Atlas>& m)
   }
   for (int tile = 0; tile < Atlas::number_of_charts; ++tile)
     for (double s : {0., .5, 1.})
-      for (double t : {0., .5, 1.})
-        check_location(map, map.atlas().tile_point(tile, s, t));
+      for (double t : {0., .5, 1.}) check_location(map, map.atlas().tile_point(tile, s, t));
 }
 
 } // namespace
@@ -93,8 +92,7 @@ TEST_CASE("squares: every point is found and goes back to itself")
   check_map(sample::square_grid(1, 1));
   check_map(sample::square_grid(9, 7));
   auto crowded = sample::square_grid(40, 40); // cells from 1e-10 to 0.1 wide
-  for (auto& p : crowded.domain_points)
-    p = Eigen::Vector2d(std::pow(p.x(), 4), std::pow(p.y(), 6));
+  for (auto& p : crowded.domain_points) p = Eigen::Vector2d(std::pow(p.x(), 4), std::pow(p.y(), 6));
   check_map(crowded);
 }
 
@@ -118,7 +116,7 @@ void check_search(const sample::Map_arrays<Atlas>& m)
       return sheet.side(0) >= 0 && sheet.side(1) >= 0 && sheet.side(2) >= 0;
     }));
     tried += count;
-    most = std::max(most, count);
+    most = (std::max)(most, count);
   }
   CHECK(tried < 8 * n);
   CHECK(most < 60);
@@ -152,8 +150,7 @@ TEST_CASE("thin faces and hubs: every point is found after few attempts")
 TEST_CASE("tiny faces: every point is found")
 {
   auto crowded = sample::square_grid(60, 60); // cells from 1e-14 on
-  for (auto& p : crowded.domain_points)
-    p = Eigen::Vector2d(std::pow(p.x(), 8), 1 - std::pow(1 - p.y(), 5));
+  for (auto& p : crowded.domain_points) p = Eigen::Vector2d(std::pow(p.x(), 8), 1 - std::pow(1 - p.y(), 5));
   check_search(crowded);
   auto wave = sample::torus_grid(100, 100); // the cells near u = 0 are 1e-8 times the others
   for (auto& p : wave.domain_points)
@@ -192,8 +189,7 @@ TEST_CASE("the map is the one that is known: affine on the square")
   const auto map = map_of(sample::square_grid(5, 4, 3, 2));
   sample::Random_points random;
   std::vector<Eigen::Vector2d> points;
-  for (int i = 0; i < 100; ++i)
-    points.push_back(random.point(Plane_atlas()));
+  for (int i = 0; i < 100; ++i) points.push_back(random.point(Plane_atlas()));
   std::vector<Manifold_map<Plane_atlas>::Location> found;
   map.to_mesh(points, std::back_inserter(found));
   REQUIRE(found.size() == points.size());
@@ -206,8 +202,7 @@ TEST_CASE("what is no bijection never becomes a map")
   const auto code = [](auto m) {
     try {
       map_of(m);
-    }
-    catch (const Error& error) {
+    } catch (const Error& error) {
       return error.code();
     }
     return Error_code::syntax_error; // means: no error
@@ -217,15 +212,13 @@ TEST_CASE("what is no bijection never becomes a map")
   CHECK(code(flipped) == Error_code::map_not_bijective);
   try {
     map_of(flipped);
-  }
-  catch (const Numeric_error& error) {
+  } catch (const Numeric_error& error) {
     CHECK(error.element().kind == Mesh_element::FACE);
     const Triangle& t = flipped.faces[error.element().first];
     CHECK((t[0] == 12 || t[1] == 12 || t[2] == 12));
   }
   auto cover = sample::torus_grid(8, 4);
-  for (auto& p : cover.domain_points)
-    p = Torus_atlas().canonical(Eigen::Vector2d(2 * p.x(), p.y()));
+  for (auto& p : cover.domain_points) p = Torus_atlas().canonical(Eigen::Vector2d(2 * p.x(), p.y()));
   CHECK(code(cover) == Error_code::map_not_bijective);
   auto open = sample::octahedron();
   open.faces.pop_back();
@@ -248,16 +241,15 @@ TEST_CASE("size and orientation")
   const Manifold_map<Sphere_atlas> outward = map_of(m);
   CHECK(outward.diagonal() == Approx(std::sqrt(12.)));
   CHECK(!outward.is_inward_oriented());
-  for (auto& p : m.points)
-    p = Eigen::Vector3d(100, 0, 0) - p; // a reflection: the same faces now turn inward
+  for (auto& p : m.points) p = Eigen::Vector3d(100, 0, 0) - p; // a reflection: the same faces now turn inward
   CHECK(map_of(m).is_inward_oriented());
   CHECK(!map_of(sample::torus_grid(8, 8)).is_inward_oriented());
   CHECK(!map_of(sample::square_grid(2, 2)).is_inward_oriented());
 
   auto refined = sample::square_grid(2, 1);
   refined.points[5] = Eigen::Vector3d(50, 0, 0); // as if added later
-  CHECK(Manifold_map<Plane_atlas>(refined.points, refined.faces, refined.domain_points, 5).diagonal()
-        == Approx(std::sqrt(2.)));
+  CHECK(Manifold_map<Plane_atlas>(refined.points, refined.faces, refined.domain_points, 5).diagonal() ==
+        Approx(std::sqrt(2.)));
 }
 
 TEST_CASE("the chart of a face contains it and has the nearest centre")
@@ -266,8 +258,7 @@ TEST_CASE("the chart of a face contains it and has the nearest centre")
   for (std::size_t f = 0; f < sphere.number_of_faces(); ++f) {
     const int c = sphere.chart(f);
     REQUIRE(c >= 0);
-    for (int v : sphere.face(f))
-      CHECK(sphere.atlas().contains(c, sphere.domain_point(v)));
+    for (int v : sphere.face(f)) CHECK(sphere.atlas().contains(c, sphere.domain_point(v)));
     const auto centroid = sphere.to_domain({static_cast<int>(f), Eigen::Vector3d::Constant(1 / 3.)});
     Eigen::Vector3d magnitude = centroid.cwiseAbs();
     const double own = (sphere.atlas().point({c, Eigen::Vector2d(.5, .5)})).dot(centroid);
@@ -303,12 +294,10 @@ TEST_CASE("many threads may ask the same map")
   const auto map = map_of(sample::subdivided(sample::octahedron(), 4));
   sample::Random_points random;
   std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < 2000; ++i)
-    points.push_back(random.point(Sphere_atlas()));
+  for (int i = 0; i < 2000; ++i) points.push_back(random.point(Sphere_atlas()));
   std::vector<int> one(points.size()), two(points.size());
   const auto run = [&](std::vector<int>& faces) {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      faces[i] = map.to_mesh(points[i]).face;
+    for (std::size_t i = 0; i < points.size(); ++i) faces[i] = map.to_mesh(points[i]).face;
   };
   std::thread first(run, std::ref(one)), second(run, std::ref(two));
   first.join();

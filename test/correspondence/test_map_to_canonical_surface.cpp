@@ -26,10 +26,8 @@ Mesh surface_mesh(const Triangle_mesh& t)
 {
   Mesh mesh;
   std::vector<Mesh::Vertex_index> v;
-  for (const auto& p : t.points)
-    v.push_back(mesh.add_vertex(Point_3(p[0], p[1], p[2])));
-  for (const auto& f : t.triangles)
-    REQUIRE(mesh.add_face(v[f[0]], v[f[1]], v[f[2]]) != Mesh::null_face());
+  for (const auto& p : t.points) v.push_back(mesh.add_vertex(Point_3(p[0], p[1], p[2])));
+  for (const auto& f : t.triangles) REQUIRE(mesh.add_face(v[f[0]], v[f[1]], v[f[2]]) != Mesh::null_face());
   return mesh;
 }
 
@@ -73,7 +71,8 @@ void check_map(const Map& map, const Mesh& mesh)
   CHECK(area == Approx(input_area).epsilon(1e-3)); // polygons may be a little warped
   for (std::size_t f = 0; f < map.number_of_faces(); f += 1 + map.number_of_faces() / 50) {
     const typename Map::Location here{static_cast<int>(f), Eigen::Vector3d(0.2, 0.3, 0.5)};
-    CHECK((map(map.to_domain(here)) - map.position(here)).norm() <= 1e-9 * map.diagonal() + 1e-14 * map.point(0).norm());
+    CHECK((map(map.to_domain(here)) - map.position(here)).norm() <=
+          1e-9 * map.diagonal() + 1e-14 * map.point(0).norm());
   }
 }
 
@@ -87,10 +86,10 @@ void map_and_check(const Mesh& mesh)
 
 TEST_CASE("Real meshes of genus 0, genus 1 and disks get certified maps", "[map]")
 {
-  const auto name = GENERATE(as<std::string>(),
-    "hand.off", "homer.off", "retinal.off", "cow.off", "bull.off", "camel.off", "tetrahedron.off", "cube.off",
-    "elk.off", "knot1.off", "rotor_small.off", "pipe.off",
-    "three_peaks.off", "nefertiti.off", "mannequin-devil.off", "lion-head.off");
+  const auto name =
+    GENERATE(as<std::string>(), "hand.off", "homer.off", "retinal.off", "cow.off", "bull.off", "camel.off",
+             "tetrahedron.off", "cube.off", "elk.off", "knot1.off", "rotor_small.off", "pipe.off",
+             "three_peaks.off", "nefertiti.off", "mannequin-devil.off", "lion-head.off");
   CAPTURE(name);
   map_and_check(read(name));
 }
@@ -135,7 +134,8 @@ TEST_CASE("Random disks get certified maps", "[map]")
   for (int i = 0; i < 400; ++i) {
     const int n = 4 + random.below(i % 10 == 0 ? 200 : 30);
     CAPTURE(i, n);
-    map_and_check(surface_mesh(without_star(random_sphere(n, random.below(3 * n), i % 4, random), random.below(n))));
+    map_and_check(
+      surface_mesh(without_star(random_sphere(n, random.below(3 * n), i % 4, random), random.below(n))));
   }
 }
 
@@ -150,8 +150,8 @@ TEST_CASE("Small, thin and twisted surfaces, and hubs, get certified maps", "[ma
   map_and_check(surface_mesh(bipyramid(5000)));
   map_and_check(surface_mesh(tube(600, 3)));
   map_and_check(surface_mesh(tube(300, 8)));
-  map_and_check(surface_mesh(without_star(tube(300, 8), 2400)));        // a long bottle
-  map_and_check(surface_mesh(without_star(bipyramid(2000), 2000)));     // a fan
+  map_and_check(surface_mesh(without_star(tube(300, 8), 2400)));    // a long bottle
+  map_and_check(surface_mesh(without_star(bipyramid(2000), 2000))); // a fan
   map_and_check(surface_mesh(without_star(bipyramid(4), 0)));
   Triangle_mesh one;
   one.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -184,11 +184,11 @@ TEST_CASE("A map is the same for any number of threads and for any run", "[map]"
   const auto parallel = SM::map_to_sphere<CGAL::Parallel_if_available_tag>(mesh);
   CHECK(once.domain_points() == parallel.domain_points());
   const Mesh torus = read("knot1.off");
-  CHECK(SM::map_to_torus(torus).domain_points()
-        == SM::map_to_torus<CGAL::Parallel_if_available_tag>(torus).domain_points());
+  CHECK(SM::map_to_torus(torus).domain_points() ==
+        SM::map_to_torus<CGAL::Parallel_if_available_tag>(torus).domain_points());
   const Mesh disk = read("lion-head.off");
-  CHECK(SM::map_to_plane(disk).domain_points()
-        == SM::map_to_plane<CGAL::Parallel_if_available_tag>(disk).domain_points());
+  CHECK(SM::map_to_plane(disk).domain_points() ==
+        SM::map_to_plane<CGAL::Parallel_if_available_tag>(disk).domain_points());
 }
 
 TEST_CASE("Energy, lambda, area floor and effort do what they say", "[map]")
@@ -238,12 +238,11 @@ TEST_CASE("Domain points go into the caller's property map, of a polyhedron too"
   CGAL::copy_face_graph(mesh, polyhedron);
   using Vertex = boost::graph_traits<decltype(polyhedron)>::vertex_descriptor;
   std::map<Vertex, Eigen::Vector3d> domain_points;
-  const auto map = SM::map_to_sphere(polyhedron, SM::parameters::domain_point_map(
-    boost::make_assoc_property_map(domain_points)));
+  const auto map = SM::map_to_sphere(
+    polyhedron, SM::parameters::domain_point_map(boost::make_assoc_property_map(domain_points)));
   REQUIRE(domain_points.size() == num_vertices(mesh));
   std::size_t i = 0;
-  for (const auto v : vertices(polyhedron))
-    CHECK(domain_points.at(v) == map.domain_point(i++));
+  for (const auto v : vertices(polyhedron)) CHECK(domain_points.at(v) == map.domain_point(i++));
 }
 
 TEST_CASE("Size and orientation are told at all scales, and midpoints do not overflow", "[map]")
@@ -253,21 +252,19 @@ TEST_CASE("Size and orientation are told at all scales, and midpoints do not ove
   const auto plain = SM::map_to_sphere(surface_mesh(sphere));
   for (const int exponent : {-900, 900}) {
     Triangle_mesh scaled = sphere;
-    for (auto& p : scaled.points)
-      p *= std::ldexp(1., exponent);
+    for (auto& p : scaled.points) p *= std::ldexp(1., exponent);
     const auto map = SM::map_to_sphere(surface_mesh(scaled));
     CHECK(map.diagonal() == std::ldexp(plain.diagonal(), exponent));
     CHECK(map.is_inward_oriented() == plain.is_inward_oriented());
-    for (auto& t : scaled.triangles)
-      std::swap(t[0], t[1]);
+    for (auto& t : scaled.triangles) std::swap(t[0], t[1]);
     CHECK(SM::map_to_sphere(surface_mesh(scaled)).is_inward_oriented() != plain.is_inward_oriented());
   }
   // A square of two triangles, one of whose sides has a chord to be split.
   Triangle_mesh fan;
   for (int i = 0; i < 30; ++i)
-    fan.points.push_back(1.7e308 * Eigen::Vector3d(std::cos(CGAL_PI * i / 15), std::sin(CGAL_PI * i / 15), 0));
-  for (int i = 1; i + 1 < 30; ++i)
-    fan.triangles.push_back({0, i, i + 1});
+    fan.points.push_back(1.7e308 *
+                         Eigen::Vector3d(std::cos(CGAL_PI * i / 15), std::sin(CGAL_PI * i / 15), 0));
+  for (int i = 1; i + 1 < 30; ++i) fan.triangles.push_back({0, i, i + 1});
   const auto map = SM::map_to_plane(surface_mesh(fan));
   CHECK(map.number_of_vertices() > 30);
   CHECK(map.certificate().is_valid());
@@ -290,14 +287,15 @@ TEST_CASE("Borders are closed virtually on demand: holes of a disk, and all of a
     const bool is_inner_first = unit > 0;
     Triangle_mesh annulus;
     for (int i = 0; i < 20; ++i)
-      annulus.points.push_back(std::abs(unit) * ((i < 10) == is_inner_first ? 1 : 3)
-                               * Eigen::Vector3d(std::cos(CGAL_PI * i / 5), std::sin(CGAL_PI * i / 5), 0));
+      annulus.points.push_back(std::abs(unit) * ((i < 10) == is_inner_first ? 1 : 3) *
+                               Eigen::Vector3d(std::cos(CGAL_PI * i / 5), std::sin(CGAL_PI * i / 5), 0));
     for (int i = 0; i < 10; ++i) {
       const int j = (i + 1) % 10;
       annulus.triangles.push_back({i, i + 10, j + 10});
       annulus.triangles.push_back({i, j + 10, j});
     }
-    const auto closed = SM::map_to_plane(surface_mesh(annulus), parameters::close_borders(SM::Close_borders::INNER));
+    const auto closed =
+      SM::map_to_plane(surface_mesh(annulus), parameters::close_borders(SM::Close_borders::INNER));
     CHECK(closed.number_of_virtual_faces() == 10);
     for (std::size_t f = 20; f < 30; ++f)
       for (const int v : closed.face(f))
@@ -334,16 +332,16 @@ TEST_CASE("Weights give parts of the mesh more room", "[map]")
 {
   const Mesh mesh = read("hand.off");
   std::map<Mesh::Vertex_index, double> weight;
-  for (const auto v : vertices(mesh))
-    weight[v] = v.idx() < 300 ? 20. : 1.;
-  const auto map = SM::map_to_sphere(mesh, SM::parameters::vertex_weight_map(
-    boost::make_assoc_property_map(weight)));
+  for (const auto v : vertices(mesh)) weight[v] = v.idx() < 300 ? 20. : 1.;
+  const auto map =
+    SM::map_to_sphere(mesh, SM::parameters::vertex_weight_map(boost::make_assoc_property_map(weight)));
   const auto plain = SM::map_to_sphere(mesh);
   const auto share = [&](const auto& m) {
     double area = 0;
     for (std::size_t f = 0; f < m.number_of_faces(); ++f)
       if (m.face(f)[0] < 300 && m.face(f)[1] < 300 && m.face(f)[2] < 300)
-        area += m.domain_point(m.face(f)[0]).dot(m.domain_point(m.face(f)[1]).cross(m.domain_point(m.face(f)[2])));
+        area +=
+          m.domain_point(m.face(f)[0]).dot(m.domain_point(m.face(f)[1]).cross(m.domain_point(m.face(f)[2])));
     return area;
   };
   CHECK(share(map) > 2 * share(plain));
@@ -355,12 +353,11 @@ TEST_CASE("Landmarks are drawn to their targets, on every domain", "[map]")
   {
     const Mesh mesh = read("hand.off");
     using Landmark = SM::Landmark<Mesh::Vertex_index, Eigen::Vector3d>;
-    const std::vector<Landmark> landmarks = {
-      {Mesh::Vertex_index(10), Eigen::Vector3d(0, 0, 1)}, {Mesh::Vertex_index(500), Eigen::Vector3d(1, 0, 0)},
-      {Mesh::Vertex_index(900), Eigen::Vector3d(0, 1, 0)}};
+    const std::vector<Landmark> landmarks = {{Mesh::Vertex_index(10), Eigen::Vector3d(0, 0, 1)},
+                                             {Mesh::Vertex_index(500), Eigen::Vector3d(1, 0, 0)},
+                                             {Mesh::Vertex_index(900), Eigen::Vector3d(0, 1, 0)}};
     const auto map = SM::map_to_sphere(mesh, parameters::landmarks(landmarks));
-    for (const Landmark& l : landmarks)
-      CHECK((map.domain_point(l.vertex) - l.point).norm() < 0.2);
+    for (const Landmark& l : landmarks) CHECK((map.domain_point(l.vertex) - l.point).norm() < 0.2);
   }
   {
     const Mesh mesh = read("knot1.off");
@@ -375,8 +372,8 @@ TEST_CASE("Landmarks are drawn to their targets, on every domain", "[map]")
     const auto plain = SM::map_to_plane(mesh);
     Mesh::Vertex_index inner(0);
     for (const auto v : vertices(mesh))
-      if ((plain.domain_point(v) - Eigen::Vector2d(0.5, 0.5)).norm()
-          < (plain.domain_point(inner) - Eigen::Vector2d(0.5, 0.5)).norm())
+      if ((plain.domain_point(v) - Eigen::Vector2d(0.5, 0.5)).norm() <
+          (plain.domain_point(inner) - Eigen::Vector2d(0.5, 0.5)).norm())
         inner = v;
     const std::vector<Landmark> landmarks = {{inner, Eigen::Vector2d(0.3, 0.6)}};
     const auto map = SM::map_to_plane(mesh, parameters::landmarks(landmarks));
@@ -399,7 +396,8 @@ TEST_CASE("Corners of the square are those that the user gives, or those of the 
     }
   std::reverse(border.begin(), border.end()); // border half-edges run clockwise round the disk
   const std::size_t n = border.size();
-  const std::vector<Mesh::Vertex_index> corners = {border[n - 2], border[5], border[n / 2], border[n / 2 + 3]};
+  const std::vector<Mesh::Vertex_index> corners = {border[n - 2], border[5], border[n / 2],
+                                                   border[n / 2 + 3]};
   const auto map = SM::map_to_plane(mesh, SM::parameters::corners(corners));
   CHECK(map.domain_point(corners[0]) == Eigen::Vector2d(0, 0));
   CHECK(map.domain_point(corners[1]) == Eigen::Vector2d(1, 0));
@@ -409,8 +407,7 @@ TEST_CASE("Corners of the square are those that the user gives, or those of the 
   // A rectangle of 8 x 5 cells, jagged inside: its own corners are found.
   Triangle_mesh grid;
   for (int j = 0; j <= 5; ++j)
-    for (int i = 0; i <= 8; ++i)
-      grid.points.emplace_back(i, 1.5 * j, 0);
+    for (int i = 0; i <= 8; ++i) grid.points.emplace_back(i, 1.5 * j, 0);
   for (int j = 0; j < 5; ++j)
     for (int i = 0; i < 8; ++i) {
       const int a = 9 * j + i;
@@ -429,7 +426,12 @@ namespace {
 struct Counting_visitor : SM::Default_visitor {
   int phases = 0, open = 0, steps = 0, cancel_at = -1;
   double last = 0;
-  void start_phase(const char*) { ++phases; ++open; last = 0; }
+  void start_phase(const char*)
+  {
+    ++phases;
+    ++open;
+    last = 0;
+  }
   void end_phase() { --open; }
   void progress(double fraction)
   {
@@ -437,8 +439,7 @@ struct Counting_visitor : SM::Default_visitor {
     CHECK(fraction >= last);
     CHECK(fraction <= 1 + 1e-12);
     last = fraction;
-    if (++steps == cancel_at)
-      throw std::runtime_error("cancelled");
+    if (++steps == cancel_at) throw std::runtime_error("cancelled");
   }
 };
 

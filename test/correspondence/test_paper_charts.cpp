@@ -5,7 +5,7 @@
 #include "sample_maps.h"
 
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
-#include <CGAL/Simple_manifolds/correspondence/paper/Chart_correspondence.h>
+#include <CGAL/Simple_manifolds/paper/map/Chart_correspondence.h>
 
 #include <map>
 
@@ -38,13 +38,12 @@ Gaps measure_gaps(const Chart_correspondence<Map>& charts)
   Gaps gaps;
   for (const auto& [ends, place] : half_edges) {
     const auto opposite = half_edges.find({ends.second, ends.first});
-    if (ends.first > ends.second || opposite == half_edges.end())
-      continue;
-    const double gap
-      = charts.edge_gap(place.first, place.second, opposite->second.first, opposite->second.second);
+    if (ends.first > ends.second || opposite == half_edges.end()) continue;
+    const double gap =
+      charts.edge_gap(place.first, place.second, opposite->second.first, opposite->second.second);
     const bool is_same = charts.default_chart(place.first) == charts.default_chart(opposite->second.first);
     double& largest = is_same ? gaps.same_chart : gaps.other_chart;
-    largest = std::max(largest, gap);
+    largest = (std::max)(largest, gap);
     gaps.edges_between_charts += !is_same;
   }
   return gaps;
@@ -72,8 +71,7 @@ TEST_CASE("Bins find what looking at all triangles finds", "[paper]")
     const double size = i % 2 ? 0.3 : 1.5; // some are larger than the square
     for (auto& t : triangles) {
       const Vector2d centre(random.real(), random.real());
-      for (Vector2d& p : t)
-        p = centre + size * Vector2d(random.real() - 0.5, random.real() - 0.5);
+      for (Vector2d& p : t) p = centre + size * Vector2d(random.real() - 0.5, random.real() - 0.5);
     }
     const Triangle_bins bins(triangles, i % 3 == 0 ? 0 : 1 + random.below(20));
     for (int k = 0; k < 20; ++k) {
@@ -82,7 +80,7 @@ TEST_CASE("Bins find what looking at all triangles finds", "[paper]")
       for (const auto& t : triangles) {
         Eigen::Matrix3d m;
         m << t[0][0], t[1][0], t[2][0], t[0][1], t[1][1], t[2][1], 1, 1, 1;
-        best = std::max(best, Vector3d(m.inverse() * Vector3d(p[0], p[1], 1)).minCoeff());
+        best = (std::max)(best, Vector3d(m.inverse() * Vector3d(p[0], p[1], 1)).minCoeff());
       }
       const Triangle_bins::Hit hit = bins.find(p);
       if (best > 1e-6) {
@@ -126,11 +124,9 @@ TEST_CASE("Within a chart the correspondence goes both ways", "[paper]")
         const auto uv = charts.to_chart(c, location);
         const Triangle& t = map.face(location.face);
         bool is_in_chart = true;
-        for (int v : t)
-          is_in_chart = is_in_chart && map.atlas().contains(c, map.domain_point(v));
+        for (int v : t) is_in_chart = is_in_chart && map.atlas().contains(c, map.domain_point(v));
         CHECK((!uv || is_in_chart));
-        if (!uv)
-          continue;
+        if (!uv) continue;
         ++found;
         const auto back = charts.to_mesh(c, *uv);
         REQUIRE(back);
@@ -155,8 +151,7 @@ TEST_CASE("On the sphere default charts leave gaps, which shrink fourfold with e
     CHECK(gaps.same_chart < 1e-14);
     CHECK(gaps.other_chart > 1e-5); // minor, but there
     CHECK(gaps.other_chart < 0.03);
-    if (previous > 0)
-      CHECK(previous / gaps.other_chart == Approx(4).epsilon(0.25));
+    if (previous > 0) CHECK(previous / gaps.other_chart == Approx(4).epsilon(0.25));
     previous = gaps.other_chart;
   }
 }
@@ -200,9 +195,9 @@ TEST_CASE("On the sphere the two directions disagree in the gaps between default
       const auto location = charts.to_mesh(p);
       REQUIRE(location);
       const double error = (charts.to_domain(*location) - p).norm();
-      worst = std::max(worst, error);
+      worst = (std::max)(worst, error);
       inconsistent += error > 1e-12;
-      global_worst = std::max(global_worst, (map.to_domain(map.to_mesh(p)) - p).norm());
+      global_worst = (std::max)(global_worst, (map.to_domain(map.to_mesh(p)) - p).norm());
     }
     CAPTURE(times, worst, inconsistent);
     const double share = double(inconsistent) / n;

@@ -5,7 +5,7 @@
 #include "paper_samples.h"
 
 #include <CGAL/Simple_manifolds/correspondence/criteria.h>
-#include <CGAL/Simple_manifolds/correspondence/paper/map_by_partition.h>
+#include <CGAL/Simple_manifolds/paper/map/map_by_partition.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
@@ -49,11 +49,9 @@ void check_partition(const Mesh& mesh, const Tile_partition<Mesh>& partition, Fa
       CHECK(target(side.back(), mesh) == source(partition.sides[c][(k + 1) % 4].front(), mesh));
       for (const Halfedge h : side) {
         CHECK(get(tile, face(h, mesh)) == c);
-        if (Atlas::is_closed)
-          CHECK(get(tile, face(opposite(h, mesh), mesh)) != c);
+        if (Atlas::is_closed) CHECK(get(tile, face(opposite(h, mesh), mesh)) != c);
       }
-      for (std::size_t i = 1; i < side.size(); ++i)
-        ++sides_at[source(side[i], mesh)];
+      for (std::size_t i = 1; i < side.size(); ++i) ++sides_at[source(side[i], mesh)];
       // One corner of the mesh is one corner of the domain.
       const Vertex v = source(side.front(), mesh);
       const auto p = std::find(places.begin(), places.end(), corners[k]);
@@ -71,8 +69,7 @@ void check_partition(const Mesh& mesh, const Tile_partition<Mesh>& partition, Fa
   CHECK(places.size() == (Atlas::is_closed ? (Atlas::genus == 0 ? 8 : 9) : 4));
   for (const Vertex v : vertices(mesh)) {
     CHECK(sides_at[v] <= (Atlas::is_closed ? 2 : 1)); // of the two tiles at a side: no path touches another
-    if (place[v] != -1)
-      CHECK(sides_at[v] == 0);
+    if (place[v] != -1) CHECK(sides_at[v] == 0);
   }
   // No chord: it would be flat on the side.
   for (const auto& sides : partition.sides)
@@ -194,8 +191,8 @@ TEST_CASE("Paths through an annulus neither touch nor cross each other", "[paper
     const auto is_free = [&](Vertex v) { return int(v) >= k && int(v) < (rings - 1) * k; };
     try {
       const auto from = evenly_spaced(accessible_vertices(mesh, first, last, is_free), 4);
-      const auto to
-        = nearest_evenly_spaced(mesh, from, accessible_vertices(mesh, last, first, is_free), is_free);
+      const auto to =
+        nearest_evenly_spaced(mesh, from, accessible_vertices(mesh, last, first, is_free), is_free);
       const auto paths = disjoint_paths(mesh, from, to, is_free);
       REQUIRE(paths.size() == 4);
       std::set<Vertex> visited;
@@ -205,8 +202,7 @@ TEST_CASE("Paths through an annulus neither touch nor cross each other", "[paper
         CHECK(source(paths[p].front(), mesh) == from[p]);
         CHECK(target(paths[p].back(), mesh) == to[p]);
         visited.insert(from[p]);
-        for (const Halfedge h : paths[p])
-          visited.insert(target(h, mesh));
+        for (const Halfedge h : paths[p]) visited.insert(target(h, mesh));
         vertices += paths[p].size() + 1;
       }
       CHECK(visited.size() == vertices); // disjoint; so they do not cross in a triangulated annulus
@@ -308,7 +304,8 @@ TEST_CASE("Hubs, beside which the simplification would take forever, are refused
   Mesh mesh;
   std::vector<Mesh::Vertex_index> rim;
   for (int i = 0; i < n; ++i)
-    rim.push_back(mesh.add_vertex(Mesh::Point(std::cos(2 * CGAL_PI * i / n), std::sin(2 * CGAL_PI * i / n), 0)));
+    rim.push_back(
+      mesh.add_vertex(Mesh::Point(std::cos(2 * CGAL_PI * i / n), std::sin(2 * CGAL_PI * i / n), 0)));
   const auto top = mesh.add_vertex(Mesh::Point(0, 0, 1)), bottom = mesh.add_vertex(Mesh::Point(0, 0, -1));
   for (int i = 0; i < n; ++i) {
     mesh.add_face(rim[i], rim[(i + 1) % n], top);
@@ -334,8 +331,7 @@ TEST_CASE("Reprojection and centroids make the tiles equal", "[paper]")
   project_tiles(atlas, mesh, partition, tile, domain_point);
   // A face belongs to the tile that it was projected to.
   std::array<std::size_t, 6> count{};
-  for (const Face f : faces(mesh))
-    ++count[get(tile, f)];
+  for (const Face f : faces(mesh)) ++count[get(tile, f)];
   CHECK(faces_per_tile(atlas, mesh, domain_point) == count);
   // Pushing the border of a chart away from its centre takes faces out of its tile.
   const int largest = static_cast<int>(std::max_element(count.begin(), count.end()) - count.begin());

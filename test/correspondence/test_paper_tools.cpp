@@ -3,13 +3,13 @@
 #include "catch.h"
 #include "paper_samples.h"
 
-#include <CGAL/Simple_manifolds/correspondence/paper/adjust_centroids.h>
-#include <CGAL/Simple_manifolds/correspondence/paper/distances.h>
-#include <CGAL/Simple_manifolds/correspondence/paper/grow_disk.h>
-#include <CGAL/Simple_manifolds/correspondence/paper/non_contractible_loop.h>
-#include <CGAL/Simple_manifolds/correspondence/paper/project.h>
-#include <CGAL/Simple_manifolds/correspondence/paper/regions.h>
-#include <CGAL/Simple_manifolds/correspondence/paper/shortest_path.h>
+#include <CGAL/Simple_manifolds/paper/map/adjust_centroids.h>
+#include <CGAL/Simple_manifolds/paper/map/distances.h>
+#include <CGAL/Simple_manifolds/paper/map/grow_disk.h>
+#include <CGAL/Simple_manifolds/paper/map/non_contractible_loop.h>
+#include <CGAL/Simple_manifolds/paper/map/project.h>
+#include <CGAL/Simple_manifolds/paper/map/regions.h>
+#include <CGAL/Simple_manifolds/paper/map/shortest_path.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/generators.h>
@@ -24,8 +24,7 @@ constexpr int free_face = -1;
 auto free_regions(const Mesh& mesh)
 {
   auto region = get(CGAL::dynamic_face_property_t<int>(), mesh);
-  for (const Face f : faces(mesh))
-    put(region, f, free_face);
+  for (const Face f : faces(mesh)) put(region, f, free_face);
   return region;
 }
 using Region_map = decltype(free_regions(Mesh()));
@@ -47,21 +46,17 @@ TEST_CASE("A grown region is a disk after every ring, and fills disks, and spher
   for (int i = 0; i < 4000; ++i) {
     INFO("case " << i);
     const int n = 5 + random.below(40), kind = i % 3;
-    const Mesh mesh = surface_mesh(kind == 0 ? random_sphere(n, 2 * n, 0, random)
+    const Mesh mesh = surface_mesh(kind == 0   ? random_sphere(n, 2 * n, 0, random)
                                    : kind == 1 ? random_disk(n, 2 * n, random)
                                                : random_torus(3 + n % 4, 3 + n % 5, n, 0, random));
     const auto region = free_regions(mesh);
     Region disk(mesh, region, 0, any_of(faces(mesh), random));
-    do
-      REQUIRE(region_topology(mesh, region, 0).is_disk());
+    do REQUIRE(region_topology(mesh, region, 0).is_disk());
     while (disk.add_ring() > 0);
     // Triangulated disks and spheres are extendably shellable (Danaraj and Klee 1978): growth is never stuck.
-    if (kind == 0)
-      CHECK(disk.number_of_faces() + 1 == num_faces(mesh));
-    if (kind == 1)
-      CHECK(disk.number_of_faces() == num_faces(mesh));
-    if (kind == 2)
-      CHECK(disk.number_of_faces() + 1 < num_faces(mesh));
+    if (kind == 0) CHECK(disk.number_of_faces() + 1 == num_faces(mesh));
+    if (kind == 1) CHECK(disk.number_of_faces() == num_faces(mesh));
+    if (kind == 2) CHECK(disk.number_of_faces() + 1 < num_faces(mesh));
     for (const Face f : faces(mesh))
       CHECK((get(region, f) == 0) == (std::count(disk.faces().begin(), disk.faces().end(), f) == 1));
   }
@@ -73,15 +68,13 @@ TEST_CASE("A face is contiguous exactly when the region with it is a disk", "[pa
   int contiguous = 0, other = 0;
   for (int i = 0; i < 1500; ++i) {
     const int n = 6 + random.below(12);
-    const Mesh mesh
-      = surface_mesh(i % 2 ? random_sphere(n, 2 * n, 0, random) : random_torus(3, 4, n, 0, random));
+    const Mesh mesh =
+      surface_mesh(i % 2 ? random_sphere(n, 2 * n, 0, random) : random_torus(3, 4, n, 0, random));
     const auto region = free_regions(mesh);
     Region disk(mesh, region, 0, any_of(faces(mesh), random));
-    for (int ring = random.below(4); ring > 0; --ring)
-      disk.add_ring(1 + random.below(5));
+    for (int ring = random.below(4); ring > 0; --ring) disk.add_ring(1 + random.below(5));
     for (const Face f : faces(mesh)) {
-      if (get(region, f) != free_face)
-        continue;
+      if (get(region, f) != free_face) continue;
       const bool is_contiguous = disk.is_contiguous(f);
       put(region, f, 0);
       REQUIRE(is_contiguous == region_topology(mesh, region, 0).is_disk());
@@ -123,8 +116,7 @@ TEST_CASE("Regions that grow together stay disks, and the faster one is larger",
   const auto region = free_regions(mesh);
   const auto ends = far_vertices(mesh, 2);
   std::vector<Region> caps;
-  for (int k = 0; k < 2; ++k)
-    caps.emplace_back(mesh, region, k, face(halfedge(ends[k], mesh), mesh));
+  for (int k = 0; k < 2; ++k) caps.emplace_back(mesh, region, k, face(halfedge(ends[k], mesh), mesh));
   grow_regions(caps, {1, 3});
   const double ratio = double(caps[1].number_of_faces()) / double(caps[0].number_of_faces());
   CHECK(ratio > 2.5);
@@ -137,8 +129,7 @@ TEST_CASE("Annuli grow from the sides of a loop and meet, the one of double spee
   const Mesh mesh = surface_mesh(grid_torus(n, m, 0));
   const auto region = free_regions(mesh);
   Path loop; // round the tube
-  for (int j = 0; j < m; ++j)
-    loop.push_back(halfedge(Vertex(j), Vertex((j + 1) % m), mesh).first);
+  for (int j = 0; j < m; ++j) loop.push_back(halfedge(Vertex(j), Vertex((j + 1) % m), mesh).first);
   REQUIRE(is_non_contractible(mesh, loop));
   std::vector<Region> annuli{Region(mesh, region, 0, loop), Region(mesh, region, 1, reversed(loop, mesh))};
   for (int round = 1; annuli[0].add_ring() + annuli[1].add_ring() + annuli[1].add_ring() > 0; ++round) {
@@ -171,8 +162,7 @@ TEST_CASE("Without fins and chinks a disk is a disk with a shorter border", "[pa
     for (const Halfedge h : border)
       for (const Face f : {face(h, mesh), face(opposite(h, mesh), mesh)}) {
         int edges = 0;
-        for (const Halfedge b : border)
-          edges += face(b, mesh) == f || face(opposite(b, mesh), mesh) == f;
+        for (const Halfedge b : border) edges += face(b, mesh) == f || face(opposite(b, mesh), mesh) == f;
         CHECK(edges != 2);
       }
   }
@@ -185,12 +175,11 @@ TEST_CASE("A shortest path is as long as the distance says, and goes round what 
   int detours = 0, walls = 0;
   for (int i = 0; i < 2000; ++i) {
     const int n = 10 + random.below(60);
-    const Mesh mesh
-      = surface_mesh(i % 2 ? random_sphere(n, 3 * n, 0, random) : random_disk(n, 3 * n, random));
+    const Mesh mesh =
+      surface_mesh(i % 2 ? random_sphere(n, 3 * n, 0, random) : random_disk(n, 3 * n, random));
     const Vertex from = any_of(vertices(mesh), random), to = any_of(vertices(mesh), random);
     std::vector<char> is_open(num_vertices(mesh));
-    for (char& open : is_open)
-      open = random.below(3) > 0;
+    for (char& open : is_open) open = random.below(3) > 0;
     const auto distance = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
     edge_distances(mesh, std::vector<Vertex>{from}, distance);
     const int direct = get(distance, to);
@@ -210,8 +199,7 @@ TEST_CASE("A shortest path is as long as the distance says, and goes round what 
     CHECK(is_simple_path(mesh, path));
     CHECK(source(path.front(), mesh) == from);
     CHECK(target(path.back(), mesh) == to);
-    for (std::size_t k = 0; k + 1 < path.size(); ++k)
-      CHECK(is_open[target(path[k], mesh)]);
+    for (std::size_t k = 0; k + 1 < path.size(); ++k) CHECK(is_open[target(path[k], mesh)]);
     detours += static_cast<int>(path.size()) > direct;
   }
   CHECK(detours > 20);
@@ -229,8 +217,7 @@ TEST_CASE("Flood fill finds the two sides of a path across a disk", "[paper]")
     const Path border = region_border_loops(mesh, [](Face) { return true; }).front();
     const Vertex from = source(border[0], mesh), to = source(border[border.size() / 2], mesh);
     const Path path = shortest_path(mesh, from, to, [&](Vertex v) { return !is_border(v, mesh); });
-    if (path.empty() || is_border_edge(path[0], mesh))
-      continue;
+    if (path.empty() || is_border_edge(path[0], mesh)) continue;
     REQUIRE(flood_fill<Mesh>(mesh, {path}, region) == 2);
     for (const Halfedge h : path) {
       CHECK(get(region, face(h, mesh)) != get(region, face(opposite(h, mesh), mesh)));
@@ -260,8 +247,7 @@ TEST_CASE("A disk whose border is a convex polygon is projected without flips", 
       const double angle = 2 * 3.141592653589793 * double(k) / double(border.size());
       return Plane_point(std::cos(angle), std::sin(angle));
     };
-    for (std::size_t k = 0; k < border.size(); ++k)
-      put(uv, source(border[k], mesh), on_circle(k));
+    for (std::size_t k = 0; k < border.size(); ++k) put(uv, source(border[k], mesh), on_circle(k));
     CHECK(project(disk, uv) == 0);
     std::vector<char> is_on_border(num_vertices(mesh), false);
     for (std::size_t k = 0; k < border.size(); ++k) {
@@ -269,8 +255,7 @@ TEST_CASE("A disk whose border is a convex polygon is projected without flips", 
       CHECK(get(uv, source(border[k], mesh)) == on_circle(k));
     }
     for (const Vertex v : vertices(disk)) { // at the centroid of its neighbours
-      if (is_on_border[v])
-        continue;
+      if (is_on_border[v]) continue;
       double x = 0, y = 0;
       int n = 0;
       for (const Vertex w : CGAL::vertices_around_target(halfedge(v, mesh), mesh)) {
@@ -354,8 +339,7 @@ TEST_CASE("Loops on tori cannot be contracted, and some are as short as any", "[
     const std::size_t least = curves.compute_edge_width().length();
     const auto is_contractible = [&](const Path& loop) {
       CGAL::Surface_mesh_topology::Path_on_surface<Mesh> path(mesh);
-      for (const Halfedge h : loop)
-        path.push_back(h);
+      for (const Halfedge h : loop) path.push_back(h);
       return curves.is_contractible(path);
     };
     const auto check = [&](const Path& loop) {
@@ -368,10 +352,8 @@ TEST_CASE("Loops on tori cannot be contracted, and some are as short as any", "[
     check(by_CGAL);
     shortest += by_CGAL.size() == least;
     const Path by_disks = loop_through_two_disks(mesh, region);
-    for (int k = 0; k < 4; ++k)
-      CHECK(region_topology(mesh, region, k).is_disk());
-    if (by_disks.empty())
-      continue;
+    for (int k = 0; k < 4; ++k) CHECK(region_topology(mesh, region, k).is_disk());
+    if (by_disks.empty()) continue;
     check(by_disks);
     ++found;
     // The border of a face, on the other hand, can be contracted.
@@ -392,8 +374,7 @@ TEST_CASE("The tools know no mesh type, nor do disks grow from triangles only", 
   CGAL::make_hexahedron(p(0, 0, 0), p(1, 0, 0), p(1, 1, 0), p(0, 1, 0), p(0, 1, 1), p(0, 0, 1), p(1, 0, 1),
                         p(1, 1, 1), cube);
   const auto region = get(CGAL::dynamic_face_property_t<int>(), cube);
-  for (const auto f : faces(cube))
-    put(region, f, -1);
+  for (const auto f : faces(cube)) put(region, f, -1);
   CHECK(grow_disk(cube, *faces(cube).begin(), region, 0, 6) == 5);
   CHECK(region_topology(cube, region, 0).is_disk());
   CHECK(region_border_loops(cube, [&](const auto f) { return get(region, f) == 0; }).front().size() == 4);

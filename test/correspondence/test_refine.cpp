@@ -52,8 +52,7 @@ void check_refined(const Map& refined, const Map& map)
   CHECK(refined.number_of_input_vertices() == map.number_of_input_vertices());
   CHECK(refined.number_of_vertices() <= 2 * map.number_of_input_vertices() + 500);
   REQUIRE(refined.number_of_vertices() >= map.number_of_vertices());
-  for (std::size_t v = 0; v < map.number_of_vertices(); ++v)
-    CHECK(refined.point(v) == map.point(v));
+  for (std::size_t v = 0; v < map.number_of_vertices(); ++v) CHECK(refined.point(v) == map.point(v));
   CHECK(area_in_space(refined) == Approx(area_in_space(map)).epsilon(1e-12));
   CHECK(refine(map).domain_points() == refined.domain_points()); // bit for bit
 }

@@ -2,7 +2,7 @@
 #include "meshes.h"
 #include "sample_maps.h"
 
-#include <CGAL/Simple_manifolds/correspondence/internal/mesh_to_triangles.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/mesh_to_triangles.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -27,8 +27,7 @@ Error error_of(Function&& function)
 {
   try {
     function();
-  }
-  catch (const Error& error) {
+  } catch (const Error& error) {
     return error;
   }
   FAIL("no error");
@@ -38,8 +37,7 @@ Error error_of(Function&& function)
 Mesh mesh_of(const std::vector<Point>& points, const std::vector<std::vector<int>>& faces)
 {
   Mesh mesh;
-  for (const Point& p : points)
-    mesh.add_vertex(p);
+  for (const Point& p : points) mesh.add_vertex(p);
   for (const auto& face : faces) {
     std::vector<Mesh::Vertex_index> corners(face.begin(), face.end());
     REQUIRE(mesh.add_face(corners) != Mesh::null_face());
@@ -50,18 +48,16 @@ Mesh mesh_of(const std::vector<Point>& points, const std::vector<std::vector<int
 Mesh cube()
 {
   std::vector<Point> points;
-  for (int i = 0; i < 8; ++i)
-    points.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
-  return mesh_of(points, {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2},
-                          {1, 3, 7, 5}});
+  for (int i = 0; i < 8; ++i) points.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
+  return mesh_of(points,
+                 {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
 }
 
 void check_is_simplicial(const internal::Mesh_arrays& arrays)
 {
   std::map<std::pair<int, int>, int> uses;
   for (const Triangle& t : arrays.triangles)
-    for (int i = 0; i < 3; ++i)
-      CHECK(++uses[{t[i], t[(i + 1) % 3]}] == 1);
+    for (int i = 0; i < 3; ++i) CHECK(++uses[{t[i], t[(i + 1) % 3]}] == 1);
 }
 
 } // namespace
@@ -89,8 +85,7 @@ TEST_CASE("numbers of known surfaces")
   CHECK(disk.sentence() == "the mesh has 1 border loop, is connected, genus 0 (V - E + F = 1)");
 
   std::vector<Triangle> two = sample::octahedron().faces;
-  for (Triangle t : sample::torus_grid(3, 3).faces)
-    two.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
+  for (Triangle t : sample::torus_grid(3, 3).faces) two.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
   two.erase(two.begin()); // a border of three edges
   const Mesh_topology both = topology(15, two);
   CHECK(both.components == 2);
@@ -107,8 +102,8 @@ TEST_CASE("requirements say what the mesh is")
   two_handles.euler_characteristic = -2;
   const Error genus = error_of([&] { require_closed_genus(two_handles, 0); });
   CHECK(genus.code() == Error_code::wrong_genus);
-  CHECK(std::string(genus.what())
-        == "the mesh is closed, connected, genus 2 (V - E + F = -2): a sphere has genus 0");
+  CHECK(std::string(genus.what()) ==
+        "the mesh is closed, connected, genus 2 (V - E + F = -2): a sphere has genus 0");
   CHECK(error_of([&] { require_disk(two_handles); }).code() == Error_code::no_border);
 
   const Mesh_topology disk = topology(4, sample::square_grid(1, 1).faces);
@@ -118,8 +113,8 @@ TEST_CASE("requirements say what the mesh is")
   annulus.erase(annulus.begin() + 8, annulus.begin() + 10);
   CHECK(error_of([&] { require_disk(topology(16, annulus)); }).code() == Error_code::several_border_loops);
   CHECK_NOTHROW(require_closed_genus(topology(9, sample::torus_grid(3, 3).faces), 1));
-  CHECK(error_of([&] { require_closed_genus(topology(9, sample::torus_grid(3, 3).faces), 0); }).code()
-        == Error_code::wrong_genus);
+  CHECK(error_of([&] { require_closed_genus(topology(9, sample::torus_grid(3, 3).faces), 0); }).code() ==
+        Error_code::wrong_genus);
 }
 
 TEST_CASE("meshes that indices of 32 bits cannot count are refused")
@@ -151,8 +146,7 @@ TEST_CASE("what is no surface is named")
   check({{0, 1, 2}, {2, 3, 4}}, Error_code::non_manifold_vertex, Mesh_element::VERTEX, 2, 0);
   // two closed surfaces that touch at a vertex
   std::vector<Triangle> faces = sample::octahedron().faces;
-  for (Triangle t : sample::octahedron().faces)
-    faces.push_back({t[0] + 5, t[1] + 5, t[2] + 5});
+  for (Triangle t : sample::octahedron().faces) faces.push_back({t[0] + 5, t[1] + 5, t[2] + 5});
   check(faces, Error_code::non_manifold_vertex, Mesh_element::VERTEX, 5, 0);
 }
 
@@ -199,8 +193,7 @@ TEST_CASE("doubled edges of a graph are found, also on the border")
   // two quads, glued along the path 0-1-2; their open sides 2-3 .. and the sides 0-2 below are doubled
   Mesh closed;
   std::vector<Mesh::Vertex_index> v;
-  for (int i = 0; i < 4; ++i)
-    v.push_back(closed.add_vertex(Point(i, i * i, i * i * i)));
+  for (int i = 0; i < 4; ++i) v.push_back(closed.add_vertex(Point(i, i * i, i * i * i)));
   closed.add_face(v[0], v[1], v[2]);
   closed.add_face(v[0], v[3], v[1]);
   // a second edge between 0 and 2, with a face of its own beside the first
@@ -213,8 +206,7 @@ TEST_CASE("doubled edges of a graph are found, also on the border")
   closed.set_next(copy, up);
   closed.set_next(up, down);
   closed.set_next(down, copy);
-  for (auto e : {copy, up, down})
-    closed.set_face(e, face);
+  for (auto e : {copy, up, down}) closed.set_face(e, face);
   closed.set_halfedge(face, copy);
   closed.set_halfedge(vertex, up);
   closed.set_next(closed.opposite(copy), closed.opposite(down));
@@ -231,14 +223,14 @@ TEST_CASE("polygons are cut without doubling an edge")
   SECTION("the shapes are respected")
   {
     // an arrow head: the diagonal that gives the better triangles lies outside
-    const Mesh arrow = mesh_of({Point(0, 10, 0), Point(-1, 0, 0), Point(0, 1, 0), Point(1, 0, 0)},
-                               {{0, 1, 2, 3}});
+    const Mesh arrow =
+      mesh_of({Point(0, 10, 0), Point(-1, 0, 0), Point(0, 1, 0), Point(1, 0, 0)}, {{0, 1, 2, 3}});
     const auto arrays = internal::mesh_to_triangles(arrow, arrow.points());
     REQUIRE(arrays.triangles.size() == 2);
     double area = 0;
     for (const Triangle& t : arrays.triangles) {
-      const double a = (arrays.points[t[1]] - arrays.points[t[0]])
-                         .cross(arrays.points[t[2]] - arrays.points[t[0]]).z() / 2;
+      const double a =
+        (arrays.points[t[1]] - arrays.points[t[0]]).cross(arrays.points[t[2]] - arrays.points[t[0]]).z() / 2;
       CHECK(a > 0);
       area += a;
     }
@@ -248,14 +240,16 @@ TEST_CASE("polygons are cut without doubling an edge")
   SECTION("two quads with the same diagonal")
   {
     // three quads round the axis 0-1: each has the diagonal 0-1, only one of them can take it
-    const Mesh mesh = mesh_of({Point(0, 0, .1), Point(0, 0, -.1), Point(1, 0, 0), Point(-1, 2, 0),
-                               Point(-1, -2, 0)}, {{0, 2, 1, 3}, {0, 3, 1, 4}, {0, 4, 1, 2}});
+    const Mesh mesh =
+      mesh_of({Point(0, 0, .1), Point(0, 0, -.1), Point(1, 0, 0), Point(-1, 2, 0), Point(-1, -2, 0)},
+              {{0, 2, 1, 3}, {0, 3, 1, 4}, {0, 4, 1, 2}});
     const auto arrays = internal::mesh_to_triangles(mesh, mesh.points());
     CHECK(arrays.triangles.size() == 6);
     CHECK(topology(5, arrays.triangles).genus == 0);
     check_is_simplicial(arrays);
   }
-  SECTION("many corners: convex ones, a star with dents, one that turns back on itself, some diagonals forbidden")
+  SECTION(
+    "many corners: convex ones, a star with dents, one that turns back on itself, some diagonals forbidden")
   {
     for (const double inner : {1., 0.3, -0.5})
       for (const int forbidden : {-1, 7}) {
@@ -265,32 +259,29 @@ TEST_CASE("polygons are cut without doubling an edge")
           const double angle = 2 * CGAL_PI * i / n, r = i % 2 ? inner : 1;
           star.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.01 * std::sin(5 * angle));
         }
-        const auto triangles = internal::triangulate_polygon(star, [&](int i, int j) {
-          return i != forbidden && j != forbidden; });
+        const auto triangles =
+          internal::triangulate_polygon(star, [&](int i, int j) { return i != forbidden && j != forbidden; });
         REQUIRE(triangles.size() == n - 2);
-        std::set<std::pair<int, int>> edges; // each inner one in both directions, each side in that of the polygon
+        std::set<std::pair<int, int>>
+          edges; // each inner one in both directions, each side in that of the polygon
         int positive = 0;
         for (const Triangle& t : triangles) {
           positive += (star[t[1]] - star[t[0]]).cross(star[t[2]] - star[t[0]]).z() > 0;
-          for (int k = 0; k < 3; ++k)
-            CHECK(edges.emplace(t[k], t[(k + 1) % 3]).second);
+          for (int k = 0; k < 3; ++k) CHECK(edges.emplace(t[k], t[(k + 1) % 3]).second);
         }
         CHECK(edges.size() == 3 * (n - 2));
-        for (int i = 0; i < n; ++i)
-          CHECK(edges.count({i, (i + 1) % n}) == 1);
-        for (const auto& [v, w] : edges)
-          CHECK((edges.count({w, v}) == 1 || w == (v + 1) % n));
-        if (inner > 0 && forbidden < 0)
-          CHECK(positive == n - 2);
+        for (int i = 0; i < n; ++i) CHECK(edges.count({i, (i + 1) % n}) == 1);
+        for (const auto& [v, w] : edges) CHECK((edges.count({w, v}) == 1 || w == (v + 1) % n));
+        if (inner > 0 && forbidden < 0) CHECK(positive == n - 2);
       }
     // The triangle at the corner (10, 0) is of the best shape of all, but the border enters it.
     std::vector<Eigen::Vector3d> jagged = {{0, 0, 0}, {10, 0, 0}, {5, 8, 0}};
-    for (int i = 1; i < 200; ++i)
-      jagged.emplace_back(5 + 0.002 * i * (i % 2 ? 1 : 0.5), 8 - 0.035 * i, 0);
+    for (int i = 1; i < 200; ++i) jagged.emplace_back(5 + 0.002 * i * (i % 2 ? 1 : 0.5), 8 - 0.035 * i, 0);
     const auto pieces = internal::triangulate_polygon(jagged, [](int, int) { return true; });
     CHECK(pieces.size() == jagged.size() - 2);
     CHECK(std::all_of(pieces.begin(), pieces.end(), [&](const Triangle& t) {
-      return (jagged[t[1]] - jagged[t[0]]).cross(jagged[t[2]] - jagged[t[0]]).z() > 0; }));
+      return (jagged[t[1]] - jagged[t[0]]).cross(jagged[t[2]] - jagged[t[0]]).z() > 0;
+    }));
     std::vector<Eigen::Vector3d> line(300, Eigen::Vector3d(0, 0, 0));
     CHECK(internal::triangulate_polygon(line, [](int, int) { return true; }).size() == 298);
     CHECK(internal::triangulate_polygon(line, [](int, int) { return false; }).empty());
@@ -312,8 +303,7 @@ TEST_CASE("polygons are cut without doubling an edge")
     std::vector<Point> points;
     std::vector<int> face(internal::max_polygon_corners + 1);
     std::iota(face.begin(), face.end(), 0);
-    for (int i : face)
-      points.emplace_back(std::cos(i * 0.004), std::sin(i * 0.004), 0);
+    for (int i : face) points.emplace_back(std::cos(i * 0.004), std::sin(i * 0.004), 0);
     const Mesh mesh = mesh_of(points, {face});
     const Error error = error_of([&] { internal::mesh_to_triangles(mesh, mesh.points()); });
     CHECK(error.code() == Error_code::unsupported_face);

@@ -40,25 +40,30 @@ TEST_CASE("a map is drawn as mesh and canonical surface in the colours of the ti
   CAPTURE(file);
   Mesh input;
   SM::read_mesh(cgal_mesh(file), input);
-  std::visit([&](const auto& map) {
-    const Mesh drawn = SM::coloured_mesh(map);
-    CHECK(drawn.number_of_faces() == 2 * map.number_of_faces());
-    CHECK(int(drawn.number_of_vertices() + drawn.number_of_faces()) - int(drawn.number_of_edges()) == euler);
-    const auto count = faces_per_colour(drawn);
-    CHECK(count.size() == tiles);
-    for (const auto& c : count) CHECK(c.second % 2 == 0); // half of them on the mesh, half on its domain
+  std::visit(
+    [&](const auto& map) {
+      const Mesh drawn = SM::coloured_mesh(map);
+      CHECK(drawn.number_of_faces() == 2 * map.number_of_faces());
+      CHECK(int(drawn.number_of_vertices() + drawn.number_of_faces()) - int(drawn.number_of_edges()) ==
+            euler);
+      const auto count = faces_per_colour(drawn);
+      CHECK(count.size() == tiles);
+      for (const auto& c : count) CHECK(c.second % 2 == 0); // half of them on the mesh, half on its domain
 
-    // mesh and canonical surface lie side by side
-    double left = -2, right = 4;
-    const std::size_t half = drawn.number_of_vertices() / 2;
-    for (const auto v : drawn.vertices()) {
-      const double x = drawn.point(v).x();
-      if (std::size_t(v) < half) left = (std::max)(left, x);
-      else right = (std::min)(right, x);
-    }
-    CHECK(left <= 1);
-    CHECK(right >= 1.2 - 1e-12);
-  }, SM::map_to_canonical_surface(input));
+      // mesh and canonical surface lie side by side
+      double left = -2, right = 4;
+      const std::size_t half = drawn.number_of_vertices() / 2;
+      for (const auto v : drawn.vertices()) {
+        const double x = drawn.point(v).x();
+        if (std::size_t(v) < half)
+          left = (std::max)(left, x);
+        else
+          right = (std::min)(right, x);
+      }
+      CHECK(left <= 1);
+      CHECK(right >= 1.2 - 1e-12);
+    },
+    SM::map_to_canonical_surface(input));
 }
 
 TEST_CASE("the torus is drawn as a ring with radii 1.5 and 1, in a unit of 2.5")

@@ -35,20 +35,19 @@ public:
 
   Analytic_map(Function f, int n = 16) : f_(f)
   {
-    for(int t = 0; t < Atlas::number_of_charts; ++t) {
+    for (int t = 0; t < Atlas::number_of_charts; ++t) {
       const int first = int(points_.size());
-      for(int i = 0; i <= n; ++i)
-        for(int j = 0; j <= n; ++j)
-          points_.push_back(Atlas().tile_point(t, double(i) / n, double(j) / n));
-      for(int i = 0; i < n; ++i)
-        for(int j = 0; j < n; ++j) {
+      for (int i = 0; i <= n; ++i)
+        for (int j = 0; j <= n; ++j) points_.push_back(Atlas().tile_point(t, double(i) / n, double(j) / n));
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
           const int a = first + i * (n + 1) + j, b = a + n + 1;
           faces_.push_back({a, b, b + 1});
           faces_.push_back({a, b + 1, a + 1});
         }
     }
     Eigen::Vector3d low = point(0), high = low;
-    for(std::size_t v = 0; v < points_.size(); ++v) {
+    for (std::size_t v = 0; v < points_.size(); ++v) {
       low = low.cwiseMin(point(v));
       high = high.cwiseMax(point(v));
     }
@@ -67,8 +66,7 @@ public:
 
   Domain_point to_domain(const Location& l) const
   {
-    if(l.is_domain_point)
-      return l.domain_point;
+    if (l.is_domain_point) return l.domain_point;
     const std::array<int, 3>& t = faces_[l.face];
     return Atlas().interpolate(points_[t[0]], points_[t[1]], points_[t[2]], l.barycentric);
   }
@@ -89,7 +87,7 @@ std::vector<typename Atlas::Domain_point> random_domain_points(std::size_t n, un
   std::mt19937 engine(seed);
   const auto uniform = [&] { return engine() / 4294967296.; };
   std::vector<typename Atlas::Domain_point> points;
-  for(std::size_t k = 0; k < n; ++k) {
+  for (std::size_t k = 0; k < n; ++k) {
     if constexpr (Atlas::genus == 0 && Atlas::is_closed) {
       const double z = 2 * uniform() - 1, phi = 6.283185307179586 * uniform(), r = std::sqrt(1 - z * z);
       points.push_back(Eigen::Vector3d(r * std::cos(phi), r * std::sin(phi), z).normalized());

@@ -42,7 +42,9 @@ struct By_jet {
 /// The ellipsoid with the given half axes round `centre`; `bump` makes its radius 1 + bump z (x^2 - y^2).
 struct Ellipsoid : By_jet<Ellipsoid> {
   Ellipsoid(int c, const Vector3d& a, double b = 0, const Vector3d& m = Vector3d::Zero())
-    : chart(c), axes(a), bump(b), centre(m) {}
+    : chart(c), axes(a), bump(b), centre(m)
+  {
+  }
 
   template <int Order = 2>
   Jet jet(const Vector2d& uv) const
@@ -95,8 +97,8 @@ struct Ring : By_jet<Ring> {
     Scalar_jet ring = product(radius, cos_b);
     ring += Scalar_jet{large, 0, 0, 0, 0, 0};
     const Scalar_jet x = product(ring, cos_a), y = product(ring, sin_a), z = product(radius, sin_b);
-    return {{x.value, y.value, z.value}, {x.u, y.u, z.u}, {x.v, y.v, z.v},
-            {x.uu, y.uu, z.uu}, {x.uv, y.uv, z.uv}, {x.vv, y.vv, z.vv}};
+    return {{x.value, y.value, z.value}, {x.u, y.u, z.u},    {x.v, y.v, z.v},
+            {x.uu, y.uu, z.uu},          {x.uv, y.uv, z.uv}, {x.vv, y.vv, z.vv}};
   }
 
   int chart;
@@ -111,8 +113,12 @@ struct Paraboloid : By_jet<Paraboloid> {
   Jet jet(const Vector2d& uv) const
   {
     const double x = uv[0] - .5, y = uv[1] - .5;
-    return {{uv[0], uv[1], (a * x * x + b * y * y) / 2}, {1, 0, a * x}, {0, 1, b * y},
-            {0, 0, a}, {0, 0, 0}, {0, 0, b}};
+    return {{uv[0], uv[1], (a * x * x + b * y * y) / 2},
+            {1, 0, a * x},
+            {0, 1, b * y},
+            {0, 0, a},
+            {0, 0, 0},
+            {0, 0, b}};
   }
 
   double a, b;
@@ -126,16 +132,14 @@ inline Ellipsoid_surface ellipsoid(const Vector3d& axes, double bump = 0,
                                    const Vector3d& centre = Vector3d::Zero())
 {
   std::vector<Ellipsoid> charts;
-  for(int c = 0; c < Sphere_atlas::number_of_charts; ++c)
-    charts.emplace_back(c, axes, bump, centre);
+  for (int c = 0; c < Sphere_atlas::number_of_charts; ++c) charts.emplace_back(c, axes, bump, centre);
   return Ellipsoid_surface(charts);
 }
 
 inline Ring_surface ring(double large, double small, double bump = 0)
 {
   std::vector<Ring> charts;
-  for(int c = 0; c < Torus_atlas::number_of_charts; ++c)
-    charts.emplace_back(c, large, small, bump);
+  for (int c = 0; c < Torus_atlas::number_of_charts; ++c) charts.emplace_back(c, large, small, bump);
   return Ring_surface(charts);
 }
 

@@ -22,10 +22,10 @@ auto spline_surface(const Function& f, int cells, double noise = 0, unsigned see
   const auto random = [&] { return noise * (engine() / 2147483648. - 1); };
   const int degree = 3, n = cells + degree;
   std::vector<SM::Patch_stack_embedding> charts;
-  for(int c = 0; c < Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < Atlas::number_of_charts; ++c) {
     std::vector<Eigen::Vector3d> controls;
-    for(int i = 0; i < n; ++i)
-      for(int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
         // the centre of the support; outside of the chart the nearest point of it
         Eigen::Vector2d uv((i - 1.) / cells, (j - 1.) / cells);
         uv = uv.cwiseMax(1e-9).cwiseMin(1 - 1e-9);

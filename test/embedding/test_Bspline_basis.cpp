@@ -17,13 +17,11 @@ namespace {
 Real cardinal(int d, const Real& x)
 {
   Real sum = 0, binomial = 1, factorial = 1;
-  for(int k = 1; k <= d; ++k)
-    factorial *= k;
-  for(int k = 0; k <= d + 1; ++k) {
-    if(x > k) {
+  for (int k = 1; k <= d; ++k) factorial *= k;
+  for (int k = 0; k <= d + 1; ++k) {
+    if (x > k) {
       Real power = 1;
-      for(int i = 0; i < d; ++i)
-        power *= x - k;
+      for (int i = 0; i < d; ++i) power *= x - k;
       sum += (k % 2 ? -1 : 1) * binomial * power;
     }
     binomial = binomial * (d + 1 - k) / (k + 1);
@@ -34,8 +32,7 @@ Real cardinal(int d, const Real& x)
 template <class Function>
 void for_all_degrees(const Function& f)
 {
-  for(int d = 1; d <= SM::maximum_spline_degree; ++d)
-    SM::with_degree(d, f);
+  for (int d = 1; d <= SM::maximum_spline_degree; ++d) SM::with_degree(d, f);
 }
 
 const double parameters[] = {0, 0.125, 0.3, 0.5, 0.77, 0.96875, 1};
@@ -46,10 +43,9 @@ TEST_CASE("B-spline values are those of the truncated power formula, in every de
 {
   for_all_degrees([](auto degree) {
     constexpr int D = decltype(degree)::value;
-    for(double t : parameters) {
+    for (double t : parameters) {
       const auto b = SM::Bspline_basis<D>::values(t);
-      for(int r = 0; r <= D; ++r)
-        CHECK(std::abs(b[r] - double(cardinal(D, Real(t) + (D - r)))) < 1e-15);
+      for (int r = 0; r <= D; ++r) CHECK(std::abs(b[r] - double(cardinal(D, Real(t) + (D - r)))) < 1e-15);
     }
   });
 }
@@ -59,10 +55,10 @@ TEST_CASE("B-splines sum to one, their derivatives to zero")
   for_all_degrees([](auto degree) {
     constexpr int D = decltype(degree)::value;
     using Basis = SM::Bspline_basis<D>;
-    for(double t : parameters) {
+    for (double t : parameters) {
       double sum = 0, sum1 = 0, sum2 = 0;
       const auto b = Basis::values(t), b1 = Basis::first(t), b2 = Basis::second(t);
-      for(int r = 0; r <= D; ++r) {
+      for (int r = 0; r <= D; ++r) {
         CHECK(b[r] >= 0);
         sum += b[r];
         sum1 += b1[r];
@@ -81,10 +77,10 @@ TEST_CASE("B-spline derivatives agree with differences in fifty digits")
   for_all_degrees([&](auto degree) {
     constexpr int D = decltype(degree)::value;
     using Exact = SM::Bspline_basis<D, Real>;
-    for(double t : {0.125, 0.3, 0.77}) { // not at knots
+    for (double t : {0.125, 0.3, 0.77}) { // not at knots
       const auto minus = Exact::values(t - h), here = Exact::values(Real(t)), plus = Exact::values(t + h);
       const auto b1 = SM::Bspline_basis<D>::first(t), b2 = SM::Bspline_basis<D>::second(t);
-      for(int r = 0; r <= D; ++r) {
+      for (int r = 0; r <= D; ++r) {
         CHECK(std::abs(b1[r] - double((plus[r] - minus[r]) / (2 * h))) < 1e-14);
         CHECK(std::abs(b2[r] - double((plus[r] - 2 * here[r] + minus[r]) / (h * h))) < 1e-14);
       }
@@ -97,10 +93,9 @@ TEST_CASE("The two-scale relation expresses a B-spline by those of half the widt
   for_all_degrees([](auto degree) {
     constexpr int D = decltype(degree)::value;
     const auto c = SM::Bspline_basis<D>::two_scale();
-    for(Real x = Real(1) / 7; x < D + 1; x += Real(3) / 11) {
+    for (Real x = Real(1) / 7; x < D + 1; x += Real(3) / 11) {
       Real sum = 0;
-      for(int k = 0; k <= D + 1; ++k)
-        sum += c[k] * cardinal(D, 2 * x - k);
+      for (int k = 0; k <= D + 1; ++k) sum += c[k] * cardinal(D, 2 * x - k);
       CHECK(abs(sum / (1 << D) - cardinal(D, x)) < Real("1e-40"));
     }
   });

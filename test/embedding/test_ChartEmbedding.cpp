@@ -23,7 +23,10 @@ public:
   int smoothness() const { return 7; }
   Eigen::Vector3d point(const Eigen::Vector2d& uv) const { return SM::Sphere_atlas().point({chart_, uv}); }
   template <int Order = 2>
-  SM::Jet jet(const Eigen::Vector2d& uv) const { return SM::Sphere_atlas().chart(chart_).point_jet(uv); }
+  SM::Jet jet(const Eigen::Vector2d& uv) const
+  {
+    return SM::Sphere_atlas().chart(chart_).point_jet(uv);
+  }
 
 private:
   int chart_;
@@ -34,11 +37,10 @@ private:
 TEST_CASE("A surface needs no more of a chart embedding than the concept says")
 {
   std::vector<Chart_embedding_archetype> charts;
-  for(int c = 0; c < 6; ++c)
-    charts.emplace_back(c);
+  for (int c = 0; c < 6; ++c) charts.emplace_back(c);
   const SM::Manifold_surface<SM::Sphere_atlas, Chart_embedding_archetype> sphere(charts);
   CHECK(sphere.smoothness() == 2);
-  for(const Eigen::Vector3d& p : {Eigen::Vector3d(.6, 0, .8), Eigen::Vector3d(-.48, .6, -.64)}) {
+  for (const Eigen::Vector3d& p : {Eigen::Vector3d(.6, 0, .8), Eigen::Vector3d(-.48, .6, -.64)}) {
     CHECK((sphere.point(p) - p).norm() < 1e-15);
     CHECK((sphere.normal(p) - p).norm() < 1e-14);
     CHECK(std::abs(sphere.mean_curvature(p) - 1) < 1e-13);

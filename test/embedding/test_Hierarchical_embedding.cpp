@@ -29,10 +29,13 @@ Vector3d difference(const SM::Jet& a, const SM::Jet& b)
 
 TEST_CASE("A hierarchical embedding is the sum of its patches, with its derivatives")
 {
-  struct Sample { int degree, base, levels; Vector2d centre; };
-  for(const Sample& s : {Sample{2, 4, 5, {.3, .7}}, Sample{3, 4, 9, {0, 0}}, Sample{3, 4, 8, {.625, .25}},
-                         Sample{3, 5, 6, {1, .4}}, Sample{4, 3, 6, {.1, .9}}, Sample{5, 4, 5, {.5, .5}},
-                         Sample{3, 40, 3, {.5, 1}}, Sample{1, 1, 4, {.2, .2}}}) {
+  struct Sample {
+    int degree, base, levels;
+    Vector2d centre;
+  };
+  for (const Sample& s : {Sample{2, 4, 5, {.3, .7}}, Sample{3, 4, 9, {0, 0}}, Sample{3, 4, 8, {.625, .25}},
+                          Sample{3, 5, 6, {1, .4}}, Sample{4, 3, 6, {.1, .9}}, Sample{5, 4, 5, {.5, .5}},
+                          Sample{3, 40, 3, {.5, 1}}, Sample{1, 1, 4, {.2, .2}}}) {
     const SM::Hierarchical_embedding e = random_hierarchy(s.degree, s.base, s.levels, s.centre);
     const SM::Patch_stack_embedding truth = patch_stack(e);
     REQUIRE(e.number_of_coefficients() == truth.number_of_coefficients());
@@ -40,13 +43,13 @@ TEST_CASE("A hierarchical embedding is the sum of its patches, with its derivati
     std::mt19937 random(2);
     Vector3d worst(0, 0, 0), worst_first(0, 0, 0);
     double worst_point = 0;
-    for(int k = 0; k < 2000; ++k) {
+    for (int k = 0; k < 2000; ++k) {
       Vector2d uv(uniform(random), uniform(random));
-      if(k % 2 == 0) // near the centre, at all scales
+      if (k % 2 == 0) // near the centre, at all scales
         uv = (s.centre + std::pow(.5, k % 12) * (uv - Vector2d(.5, .5))).cwiseMax(1e-9).cwiseMin(1 - 1e-9);
       worst = worst.cwiseMax(difference(e.jet(uv), truth.jet(uv)));
       worst_first = worst_first.cwiseMax(difference(e.jet<1>(uv), truth.jet<1>(uv)));
-      worst_point = std::max(worst_point, (e.point(uv) - truth.point(uv)).norm());
+      worst_point = (std::max)(worst_point, (e.point(uv) - truth.point(uv)).norm());
     }
     CAPTURE(s.degree, s.base, s.levels);
     CHECK(worst_point < 1e-14);
@@ -61,16 +64,16 @@ TEST_CASE("A hierarchical embedding is the sum of its patches, with its derivati
 
 TEST_CASE("On the borders of cells and of the square the sum is that of the patches")
 {
-  for(int degree : {2, 3, 5}) {
+  for (int degree : {2, 3, 5}) {
     const SM::Hierarchical_embedding e = random_hierarchy(degree, 4, 6, {1, 0});
     const SM::Patch_stack_embedding truth = patch_stack(e);
     double worst = 0;
-    for(int i = 0; i <= 128; ++i)
-      for(int j = 0; j <= 128; ++j) { // borders of the finest level, 4 * 2^5 cells
+    for (int i = 0; i <= 128; ++i)
+      for (int j = 0; j <= 128; ++j) { // borders of the finest level, 4 * 2^5 cells
         const Vector2d uv(i / 128., j / 128.);
-        worst = std::max(worst, (e.point(uv) - truth.point(uv)).norm());
-        if(degree >= 3) // a parabola's second derivative jumps
-          worst = std::max(worst, 1e-4 * difference(e.jet(uv), truth.jet(uv))[2]);
+        worst = (std::max)(worst, (e.point(uv) - truth.point(uv)).norm());
+        if (degree >= 3) // a parabola's second derivative jumps
+          worst = (std::max)(worst, 1e-4 * difference(e.jet(uv), truth.jet(uv))[2]);
       }
     CHECK(worst < 1e-14);
   }
@@ -79,8 +82,11 @@ TEST_CASE("On the borders of cells and of the square the sum is that of the patc
 TEST_CASE("A point on a border belongs to the upper cell, the end of the square to the last")
 {
   // degree 1: the slope jumps at the borders
-  const SM::Hierarchical_embedding e(1, {{2, {0, 1, 2, 3, 4, 5, 6, 7, 8},
-    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {5, 0, 0}, {5, 0, 0}, {5, 0, 0}}}});
+  const SM::Hierarchical_embedding e(
+    1,
+    {{2,
+      {0, 1, 2, 3, 4, 5, 6, 7, 8},
+      {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {5, 0, 0}, {5, 0, 0}, {5, 0, 0}}}});
   CHECK(e.jet({0, .3}).u == Vector3d(2, 0, 0));
   CHECK(e.jet({.5, .3}).u == Vector3d(8, 0, 0));
   CHECK(e.jet({1, 1}).u == Vector3d(8, 0, 0));
@@ -90,11 +96,11 @@ TEST_CASE("A point on a border belongs to the upper cell, the end of the square 
 
 TEST_CASE("The derivatives agree with differences in the deepest cells")
 {
-  for(int degree = 3; degree <= 5; ++degree) {
+  for (int degree = 3; degree <= 5; ++degree) {
     const Vector2d centre(.7, .4);
     const SM::Hierarchical_embedding e = random_hierarchy(degree, 4, 7, centre);
     std::mt19937 random(3);
-    for(int k = 0; k < 50; ++k) {
+    for (int k = 0; k < 50; ++k) {
       const Vector2d p = centre + .02 * Vector2d(uniform(random) - .5, uniform(random) - .5);
       const double h = 1e-6;
       const Vector2d x(h, 0), y(0, h);
@@ -112,8 +118,7 @@ TEST_CASE("The derivatives agree with differences in the deepest cells")
 TEST_CASE("Leaves are as large as the finest function there allows")
 {
   std::vector<int> all(49);
-  for(int k = 0; k < 49; ++k)
-    all[k] = k;
+  for (int k = 0; k < 49; ++k) all[k] = k;
   const std::vector<Vector3d> c(49, Vector3d(1, 2, 3));
   CHECK(SM::Hierarchical_embedding(3, {{4, all, c}}).number_of_leaves() == 16);
   CHECK(SM::Hierarchical_embedding(3, {{4, all, c}, {8, {}, {}}, {16, {}, {}}}).number_of_leaves() == 16);
@@ -123,8 +128,7 @@ TEST_CASE("Leaves are as large as the finest function there allows")
   CHECK(SM::Hierarchical_embedding(3, {{4, all, c}, {8, {36}, {c[0]}}}).number_of_leaves() == 28);
   // one function in the last corner, nine levels deeper: each level divides one cell
   std::vector<Level> levels = {{4, all, c}};
-  for(int cells = 8; cells <= 2048; cells *= 2)
-    levels.push_back({cells, {}, {}});
+  for (int cells = 8; cells <= 2048; cells *= 2) levels.push_back({cells, {}, {}});
   levels.back().indices = {2051 * 2051 - 1};
   levels.back().coefficients = {c[0]};
   const SM::Hierarchical_embedding e(3, levels);
@@ -140,7 +144,7 @@ TEST_CASE("Levels and coefficients are returned as they were given; copies are i
   copy = e;
   CHECK(copy.degree() == 3);
   REQUIRE(copy.levels().size() == 4);
-  for(int k = 0; k < 4; ++k) {
+  for (int k = 0; k < 4; ++k) {
     CHECK(copy.levels()[k].cells == 4 << k);
     CHECK(copy.levels()[k].indices == e.levels()[k].indices);
     CHECK(copy.levels()[k].coefficients == e.levels()[k].coefficients);

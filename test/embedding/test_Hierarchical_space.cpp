@@ -1,6 +1,6 @@
 #include "catch.h"
 
-#include <CGAL/Simple_manifolds/embedding/internal/Chart_spline.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Chart_spline.h>
 
 #include <Eigen/Core>
 #include <Eigen/QR>
@@ -21,12 +21,11 @@ double uniform(std::mt19937& engine) { return engine() / 4294967296.; }
 
 internal::Cell_tree refine_randomly(internal::Cell_tree tree, int times, int deepest, std::mt19937& engine)
 {
-  for(int k = 0; k < times; ++k) {
+  for (int k = 0; k < times; ++k) {
     // a corner of the square draws the cells, so that levels differ
     const Vector2d uv(std::pow(uniform(engine), 3), std::pow(uniform(engine), 3));
     const internal::Cell c = tree.cell(tree.leaf(uv));
-    if(c.level < deepest)
-      tree.refine(c);
+    if (c.level < deepest) tree.refine(c);
   }
   return tree;
 }
@@ -43,19 +42,17 @@ void check_refinement()
   std::mt19937 engine(D);
   internal::Chart_spline spline(D, Vector3d(1, 2, 3));
   std::vector<Vector2d> points = {{0, 0}, {1, 1}, {0, 1}, {.25, .5}};
-  for(int k = 0; k < 300; ++k)
-    points.push_back({std::pow(uniform(engine), 2), uniform(engine)});
-  for(const Vector2d& uv : points)
+  for (int k = 0; k < 300; ++k) points.push_back({std::pow(uniform(engine), 2), uniform(engine)});
+  for (const Vector2d& uv : points)
     CHECK((value<D>(spline, uv) - Vector3d(1, 2, 3)).norm() < 1e-14); // B-splines sum to one
-  for(int round = 0; round < 4; ++round) {
+  for (int round = 0; round < 4; ++round) {
     spline.add([&](int) { return Vector3d(uniform(engine), uniform(engine), uniform(engine)); });
     std::vector<Vector3d> before;
-    for(const Vector2d& uv : points)
-      before.push_back(value<D>(spline, uv));
+    for (const Vector2d& uv : points) before.push_back(value<D>(spline, uv));
     const int size = spline.size();
     spline.refine(refine_randomly(spline.tree(), 12, 7, engine));
     CHECK(spline.size() > size);
-    for(std::size_t k = 0; k < points.size(); ++k)
+    for (std::size_t k = 0; k < points.size(); ++k)
       CHECK((value<D>(spline, points[k]) - before[k]).norm() < 1e-13);
   }
 }
@@ -68,19 +65,19 @@ TEST_CASE("A tree of cells is graded and finds its leaves")
   const internal::Cell_tree tree = refine_randomly(internal::Cell_tree(4), 60, 9, engine);
   CHECK(tree.depth() > 4);
   double area = 0;
-  for(int node = 0; node < tree.size(); ++node) {
+  for (int node = 0; node < tree.size(); ++node) {
     const internal::Cell c = tree.cell(node);
     CHECK(tree.find(c) == node);
-    if(tree.is_leaf(node)) {
+    if (tree.is_leaf(node)) {
       const double n = tree.side(c.level);
       area += 1 / (n * n);
       CHECK(tree.leaf(Vector2d((c.i + .5) / n, (c.j + .5) / n)) == node);
       CHECK(tree.leaf(Vector2d(c.i / n, c.j / n)) == node); // cells are half-open
       continue;
     }
-    for(int di = -1; di <= 1; ++di)
-      for(int dj = -1; dj <= 1; ++dj)
-        if(tree.contains({c.level, c.i + di, c.j + dj}))
+    for (int di = -1; di <= 1; ++di)
+      for (int dj = -1; dj <= 1; ++dj)
+        if (tree.contains({c.level, c.i + di, c.j + dj}))
           CHECK(tree.find({c.level, c.i + di, c.j + dj}) >= 0);
   }
   CHECK(area == 1);
@@ -91,9 +88,8 @@ TEST_CASE("Four cells round a vertex hold one new function of degree 3")
 {
   internal::Cell_tree tree(4);
   CHECK(internal::Hierarchical_space(3, tree).size() == 49);
-  for(int i = 1; i <= 2; ++i)
-    for(int j = 1; j <= 2; ++j)
-      tree.refine({0, i, j});
+  for (int i = 1; i <= 2; ++i)
+    for (int j = 1; j <= 2; ++j) tree.refine({0, i, j});
   const internal::Hierarchical_space space(3, tree);
   CHECK(space.size() == 50);
   CHECK(space.number_of_levels() == 2);
@@ -103,11 +99,10 @@ TEST_CASE("Four cells round a vertex hold one new function of degree 3")
 
 TEST_CASE("Whole levels make way for the next")
 {
-  for(int d = 2; d <= 5; ++d) {
+  for (int d = 2; d <= 5; ++d) {
     internal::Cell_tree tree(4);
-    for(int i = 0; i < 4; ++i)
-      for(int j = 0; j < 4; ++j)
-        tree.refine({0, i, j});
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) tree.refine({0, i, j});
     const internal::Hierarchical_space space(d, tree);
     CHECK(space.size() == (8 + d) * (8 + d));
     CHECK(space.begin(1) == 0); // none of the coarse functions is left
@@ -129,21 +124,21 @@ TEST_CASE("Functions that are active are linearly independent")
   spline.refine(refine_randomly(spline.tree(), 15, 4, engine));
   const int n = spline.size();
   Eigen::MatrixXd values(8 * n, n);
-  for(int k = 0; k < values.rows(); ++k) {
+  for (int k = 0; k < values.rows(); ++k) {
     const int leaf = [&] {
-      for(;;)
-        if(const int node = int(engine() % std::size_t(spline.tree().size())); spline.tree().is_leaf(node))
+      for (;;)
+        if (const int node = int(engine() % std::size_t(spline.tree().size())); spline.tree().is_leaf(node))
           return node;
     }();
     const internal::Cell c = spline.tree().cell(leaf);
     const double side = spline.tree().side(c.level);
-    const auto f = internal::local_values<3>(spline.tree(), leaf,
-      Vector2d((c.i + uniform(engine)) / side, (c.j + uniform(engine)) / side));
+    const auto f = internal::local_values<3>(
+      spline.tree(), leaf, Vector2d((c.i + uniform(engine)) / side, (c.j + uniform(engine)) / side));
     values.row(k).setZero();
     const internal::Leaf_basis& basis = spline.basis();
-    for(std::size_t r = basis.begin(leaf); r < basis.end(leaf); ++r) {
+    for (std::size_t r = basis.begin(leaf); r < basis.end(leaf); ++r) {
       const internal::Leaf_basis::Row& row = basis.row(r);
-      for(int i = 0; i < 16; ++i)
+      for (int i = 0; i < 16; ++i)
         values(k, row.function) += f[i] * (row.local < 0 ? basis.factors(row)[i] : double(row.local == i));
     }
     CHECK(values.row(k).minCoeff() > -1e-15); // each is a B-spline

@@ -22,10 +22,7 @@ SM::Jet paraboloid(double a, double b, double c)
 }
 
 // a bad parametrisation: sheared, stretched and bent, but positively oriented
-SM::Transition_jet crooked()
-{
-  return {{0, 0}, {1.3, .4}, {-2.1, .7}, {.3, -.2}, {1.1, .5}, {-.7, .9}};
-}
+SM::Transition_jet crooked() { return {{0, 0}, {1.3, .4}, {-2.1, .7}, {.3, -.2}, {1.1, .5}, {-.7, .9}}; }
 
 // What holds for principal directions on any surface.
 void check_frame(const SM::Jet& e)
@@ -59,7 +56,7 @@ std::vector<Vector2d> random_coordinates(int n)
   std::mt19937 engine(5);
   const auto uniform = [&] { return (engine() + .5) / 4294967296.; };
   std::vector<Vector2d> points;
-  for(int k = 0; k < n; ++k) {
+  for (int k = 0; k < n; ++k) {
     const double u = uniform(), v = uniform();
     points.push_back({u, v});
   }
@@ -89,10 +86,10 @@ TEST_CASE("The unit sphere has normal outward and curvatures plus one")
 TEST_CASE("Curvatures of paraboloids, in any parametrisation")
 {
   const double forms[][3] = {{-2, 0, -1}, {-1, 0, 3}, {0, 1, 0}, {2, .5, -1}, {0, 0, -.5}, {-1, 0, -1}};
-  for(const auto& f : forms) {
+  for (const auto& f : forms) {
     const double a = -f[0], b = -f[1], c = -f[2], mean = (a + c) / 2, root = std::hypot((a - c) / 2, b);
     const SM::Jet plain = paraboloid(f[0], f[1], f[2]), bent = SM::compose(plain, crooked());
-    for(const SM::Jet& e : {plain, bent}) {
+    for (const SM::Jet& e : {plain, bent}) {
       CHECK((SM::normal(e) - Vector3d(0, 0, 1)).norm() < 1e-15);
       CHECK(std::abs(SM::mean_curvature(e) - mean) < 1e-14);
       CHECK(std::abs(SM::gaussian_curvature(e) - (a * c - b * b)) < 1e-14);
@@ -122,15 +119,15 @@ TEST_CASE("Where the derivatives are dependent all results are NaN")
   CHECK(std::isnan(SM::principal_curvatures(e).first));
   CHECK(std::isnan(SM::shape_operator(e)(0, 0)));
   const SM::Principal_directions d = SM::principal_directions(e);
-  for(double x : {d.k1, d.k2, d.direction1.x(), d.direction2.x(), d.uv1.x(), d.uv2.x()})
+  for (double x : {d.k1, d.k2, d.direction1.x(), d.direction2.x(), d.uv1.x(), d.uv2.x()})
     CHECK(std::isnan(x));
   CHECK(SM::area_element(e) == 0);
 }
 
 TEST_CASE("Any frame is principal on a sphere")
 {
-  for(int c = 0; c < 6; ++c)
-    for(const Vector2d& uv : random_coordinates(20)) {
+  for (int c = 0; c < 6; ++c)
+    for (const Vector2d& uv : random_coordinates(20)) {
       const SM::Jet e = analytic::Ellipsoid(c, {2, 2, 2}).jet(uv);
       check_frame(e);
       CHECK(std::abs(SM::principal_directions(e).k1 - .5) < 1e-14);
@@ -144,8 +141,8 @@ TEST_CASE("Any frame is principal on a sphere")
 TEST_CASE("On a torus of revolution the principal directions are meridians and parallels")
 {
   const double large = 3, small = .7;
-  for(int c = 0; c < 9; ++c)
-    for(const Vector2d& uv : random_coordinates(20)) {
+  for (int c = 0; c < 9; ++c)
+    for (const Vector2d& uv : random_coordinates(20)) {
       const SM::Jet e = analytic::Ring(c, large, small).jet(uv);
       check_frame(e);
       const double cos_b = (std::hypot(e.value.x(), e.value.y()) - large) / small;
@@ -162,8 +159,8 @@ TEST_CASE("The curvatures of an ellipsoid")
 {
   const Vector3d a(1, 2, 3.5), a2 = a.cwiseProduct(a);
   const double volume = a2.prod();
-  for(int c = 0; c < 6; ++c)
-    for(const Vector2d& uv : random_coordinates(20)) {
+  for (int c = 0; c < 6; ++c)
+    for (const Vector2d& uv : random_coordinates(20)) {
       const SM::Jet e = analytic::Ellipsoid(c, a).jet(uv);
       check_frame(e);
       const Vector3d x = e.value, gradient = x.cwiseQuotient(a2);
@@ -177,7 +174,7 @@ TEST_CASE("The curvatures of an ellipsoid")
 
 TEST_CASE("On an ellipsoid of revolution the directions follow the axis")
 {
-  for(const Vector2d& uv : random_coordinates(50)) {
+  for (const Vector2d& uv : random_coordinates(50)) {
     const SM::Jet e = analytic::Ellipsoid(0, {1, 1, 3}).jet(uv);
     const SM::Principal_directions d = SM::principal_directions(e);
     // a long thin body bends most round its axis
@@ -200,11 +197,11 @@ TEST_CASE("The shape operator is the derivative of the normal")
 {
   const analytic::Ellipsoid body(2, {1, 2, 1.5}, .3);
   const double h = 1e-6;
-  for(const Vector2d& uv : random_coordinates(20)) {
+  for (const Vector2d& uv : random_coordinates(20)) {
     const SM::Jet e = body.jet(uv);
     check_frame(e);
     const Eigen::Matrix2d s = SM::shape_operator(e);
-    for(int k = 0; k < 2; ++k) {
+    for (int k = 0; k < 2; ++k) {
       const Vector2d step = h * Vector2d::Unit(k);
       const Vector3d change = (SM::normal(body.jet(uv + step)) - SM::normal(body.jet(uv - step))) / (2 * h);
       CHECK((change - s(0, k) * e.u - s(1, k) * e.v).norm() < 1e-6 * (1 + change.norm()));
@@ -214,7 +211,7 @@ TEST_CASE("The shape operator is the derivative of the normal")
 
 TEST_CASE("Directions are orthonormal as near to an umbilic as one likes")
 {
-  for(double epsilon = 1e-3; epsilon > 1e-18; epsilon *= .1) {
+  for (double epsilon = 1e-3; epsilon > 1e-18; epsilon *= .1) {
     check_frame(SM::compose(paraboloid(-1 + epsilon, .3 * epsilon, -1), crooked()));
     check_frame(SM::compose(paraboloid(epsilon, .3 * epsilon, 0), crooked()));
   }

@@ -23,10 +23,10 @@ SM::Manifold_surface<Atlas, SM::Patch_stack_embedding, Bump> rough_surface(const
 {
   const int cells = 8, n = cells + degree;
   std::vector<SM::Patch_stack_embedding> charts;
-  for(int c = 0; c < Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < Atlas::number_of_charts; ++c) {
     std::vector<Vector3d> x;
-    for(int i = 0; i < n; ++i)
-      for(int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
         const Vector2d uv((i - (degree - 1) / 2.) / cells, (j - (degree - 1) / 2.) / cells);
         const Vector2d inside = uv.cwiseMax(1e-9).cwiseMin(1 - 1e-9);
         x.push_back(f(Atlas().point({c, inside})) + .01 * Vector3d(std::sin(i + c), std::cos(2 * j - c), 0));
@@ -41,10 +41,9 @@ void check_jets(const Surface& surface)
 {
   using Atlas = typename Surface::Atlas;
   const double h = 1e-5;
-  for(const auto& p : random_domain_points<Atlas>(60))
-    for(const SM::Chart_point& a : Atlas().charts_at(p)) {
-      if(a.uv.minCoeff() < .01 || a.uv.maxCoeff() > .99)
-        continue;
+  for (const auto& p : random_domain_points<Atlas>(60))
+    for (const SM::Chart_point& a : Atlas().charts_at(p)) {
+      if (a.uv.minCoeff() < .01 || a.uv.maxCoeff() > .99) continue;
       const auto shifted = [&](double u, double v) {
         return SM::Chart_point{a.chart, a.uv + Vector2d(u, v)};
       };
@@ -70,14 +69,14 @@ template <class Surface>
 void check_chart_independence(const Surface& surface)
 {
   using Atlas = typename Surface::Atlas;
-  for(const auto& p : random_domain_points<Atlas>(300)) {
+  for (const auto& p : random_domain_points<Atlas>(300)) {
     const Vector3d n = surface.normal(p);
     const auto [k1, k2] = surface.principal_curvatures(p);
     const double H = surface.mean_curvature(p), K = surface.gaussian_curvature(p);
     const double scale = 1 + k1 * k1 + k2 * k2;
     CHECK(std::abs(H - (k1 + k2) / 2) < 1e-12 * scale);
     CHECK(std::abs(K - k1 * k2) < 1e-12 * scale);
-    for(const SM::Chart_point& a : Atlas().charts_at(p)) {
+    for (const SM::Chart_point& a : Atlas().charts_at(p)) {
       CHECK((surface.normal(a) - n).norm() < 1e-12);
       CHECK(std::abs(surface.mean_curvature(a) - H) < 1e-12 * scale);
       CHECK(std::abs(surface.gaussian_curvature(a) - K) < 1e-12 * scale);
@@ -91,15 +90,15 @@ template <class Atlas, class Bump = SM::Smoothstep_bump<2>>
 SM::Manifold_surface<Atlas, SM::Hierarchical_embedding, Bump> hierarchical_surface(int degree = 3)
 {
   std::vector<SM::Hierarchical_embedding> charts;
-  for(int c = 0; c < Atlas::number_of_charts; ++c)
+  for (int c = 0; c < Atlas::number_of_charts; ++c)
     charts.push_back(random_hierarchy(degree, 4, 2 + c % 4, {.2 + .07 * c, .6}, c));
   return SM::Manifold_surface<Atlas, SM::Hierarchical_embedding, Bump>(charts);
 }
 
 double distance(const SM::Jet& a, const SM::Jet& b)
 {
-  return (a.value - b.value).norm() + (a.u - b.u).norm() + (a.v - b.v).norm()
-       + (a.uu - b.uu).norm() + (a.uv - b.uv).norm() + (a.vv - b.vv).norm();
+  return (a.value - b.value).norm() + (a.u - b.u).norm() + (a.v - b.v).norm() + (a.uu - b.uu).norm() +
+         (a.uv - b.uv).norm() + (a.vv - b.vv).norm();
 }
 
 } // namespace
@@ -124,11 +123,11 @@ TEST_CASE("Two derivatives of the surface are continuous across the borders of c
   const auto sphere = rough_surface<SM::Sphere_atlas>(bumpy_sphere);
   const double h = 1e-8, s = std::sin(.375 * 3.14159265358979324);
   // on the border y = 0 of charts 0 and 1, |z| = s of both: seen from chart 2, resp. 4
-  for(double t : {.3, .8, 1.3, 1.8}) {
+  for (double t : {.3, .8, 1.3, 1.8}) {
     const Vector2d a = SM::Sphere_atlas().coordinates(2, Vector3d(std::sin(t), 0, .3).normalized());
-    for(const Vector2d& step : {Vector2d(h, 0), Vector2d(0, h)})
-      CHECK(distance(sphere.jet(SM::Chart_point{2, a + step}),
-                     sphere.jet(SM::Chart_point{2, a - step})) < 1e-3);
+    for (const Vector2d& step : {Vector2d(h, 0), Vector2d(0, h)})
+      CHECK(distance(sphere.jet(SM::Chart_point{2, a + step}), sphere.jet(SM::Chart_point{2, a - step})) <
+            1e-3);
     const double r = std::sqrt(1 - s * s);
     const auto at = [&](double z) {
       const Vector3d p = Vector3d(r * std::cos(2 * t), r * std::sin(2 * t), z).normalized();
@@ -137,12 +136,12 @@ TEST_CASE("Two derivatives of the surface are continuous across the borders of c
     CHECK(distance(at(s - h), at(s + h)) < 1e-3);
   }
   const auto torus = rough_surface<SM::Torus_atlas>(bumpy_torus);
-  for(double line : {1. / 3, 2. / 3})
-    for(double v : {.1, .45, .9})
-      for(const SM::Chart_point& a : SM::Torus_atlas().charts_at({line - h, v}))
-        if(a.uv.x() > .1 && a.uv.x() < .9)
-          CHECK(distance(torus.jet(a),
-                         torus.jet(SM::Chart_point{a.chart, a.uv + Vector2d(3 * h, 0)})) < 1e-3);
+  for (double line : {1. / 3, 2. / 3})
+    for (double v : {.1, .45, .9})
+      for (const SM::Chart_point& a : SM::Torus_atlas().charts_at({line - h, v}))
+        if (a.uv.x() > .1 && a.uv.x() < .9)
+          CHECK(distance(torus.jet(a), torus.jet(SM::Chart_point{a.chart, a.uv + Vector2d(3 * h, 0)})) <
+                1e-3);
 }
 
 TEST_CASE("Equal constants in all charts blend to the constant")
@@ -152,7 +151,7 @@ TEST_CASE("Equal constants in all charts blend to the constant")
   const SM::Patch_stack_embedding chart({SM::Spline_patch({0, 0, 1, 1}, 3, 7, 7, constant)});
   const SM::Manifold_surface<SM::Sphere_atlas, SM::Patch_stack_embedding> surface(
     std::vector<SM::Patch_stack_embedding>(6, chart));
-  for(const Vector3d& p : random_domain_points<SM::Sphere_atlas>(200)) {
+  for (const Vector3d& p : random_domain_points<SM::Sphere_atlas>(200)) {
     const SM::Jet e = surface.jet(p);
     CHECK((e.value - x).norm() < 1e-14);
     CHECK(e.u.norm() + e.v.norm() + e.uu.norm() + e.uv.norm() + e.vv.norm() < 1e-9);
@@ -162,7 +161,7 @@ TEST_CASE("Equal constants in all charts blend to the constant")
 TEST_CASE("At the centre of a chart the surface is that of the chart")
 {
   const auto surface = rough_surface<SM::Sphere_atlas>(bumpy_sphere);
-  for(int c = 0; c < 6; ++c) {
+  for (int c = 0; c < 6; ++c) {
     const SM::Chart_point centre{c, Vector2d(.5, .5)};
     CHECK(distance(surface.jet(centre), surface.chart_embedding(c).jet({.5, .5})) < 1e-12);
   }
@@ -171,8 +170,8 @@ TEST_CASE("At the centre of a chart the surface is that of the chart")
 TEST_CASE("The surface of the plane is that of its chart on the closed square")
 {
   const auto surface = rough_surface<SM::Plane_atlas>(wavy_sheet);
-  for(double u : {0., .3, 1.})
-    for(double v : {0., .6, 1.}) {
+  for (double u : {0., .3, 1.})
+    for (double v : {0., .6, 1.}) {
       CHECK((surface.point(Vector2d(u, v)) - surface.chart_embedding(0).point({u, v})).norm() == 0);
       CHECK(distance(surface.jet(Vector2d(u, v)), surface.chart_embedding(0).jet({u, v})) == 0);
     }
@@ -197,7 +196,7 @@ TEST_CASE("Ranges give the results of single points in order")
   surface.normals(p, std::back_inserter(normals));
   surface.jets(p, std::back_inserter(jets));
   REQUIRE((points.size() == 10 && normals.size() == 10 && jets.size() == 10));
-  for(std::size_t k = 0; k < p.size(); ++k) {
+  for (std::size_t k = 0; k < p.size(); ++k) {
     CHECK(points[k] == surface.point(p[k]));
     CHECK(normals[k] == surface.normal(p[k]));
     CHECK(distance(jets[k], surface.jet(p[k])) == 0);
@@ -220,18 +219,18 @@ void check_batches(const Surface& surface, const Points& p)
   REQUIRE(points.size() == p.size());
   double position = 0, d1 = 0, d2 = 0, normal = 0;
   std::size_t k = 0;
-  for(const auto& x : p) {
+  for (const auto& x : p) {
     const SM::Jet e = surface.jet(x);
     const double size1 = 1 + e.u.norm() + e.v.norm(), size2 = size1 + e.uu.norm() + e.uv.norm() + e.vv.norm();
-    position = std::max({position, (points[k] - surface.point(x)).norm(), (jets[k].value - e.value).norm(),
-                         (first[k].value - e.value).norm()});
-    for(const SM::Jet& j : {jets[k], first[k]})
-      d1 = std::max(d1, ((j.u - e.u).norm() + (j.v - e.v).norm()) / size1);
-    d2 = std::max(d2, ((jets[k].uu - e.uu).norm() + (jets[k].uv - e.uv).norm() + (jets[k].vv - e.vv).norm())
-                        / size2);
+    position = (std::max)({position, (points[k] - surface.point(x)).norm(), (jets[k].value - e.value).norm(),
+                           (first[k].value - e.value).norm()});
+    for (const SM::Jet& j : {jets[k], first[k]})
+      d1 = (std::max)(d1, ((j.u - e.u).norm() + (j.v - e.v).norm()) / size1);
+    d2 = (std::max)(
+      d2, ((jets[k].uu - e.uu).norm() + (jets[k].uv - e.uv).norm() + (jets[k].vv - e.vv).norm()) / size2);
     CHECK(first[k].uu.norm() + first[k].uv.norm() + first[k].vv.norm() == 0);
-    if(e.u.cross(e.v).norm() > .1 * e.u.norm() * e.v.norm())
-      normal = std::max(normal, (normals[k] - surface.normal(x)).norm());
+    if (e.u.cross(e.v).norm() > .1 * e.u.norm() * e.v.norm())
+      normal = (std::max)(normal, (normals[k] - surface.normal(x)).norm());
     ++k;
   }
   CHECK(position < 1e-14);
@@ -244,10 +243,9 @@ template <class Atlas>
 std::vector<SM::Chart_point> all_chart_points(const std::vector<typename Atlas::Domain_point>& points)
 {
   std::vector<SM::Chart_point> list;
-  for(const auto& p : points)
-    for(const SM::Chart_point& a : Atlas().charts_at(p))
-      if(a.uv.minCoeff() > 1e-4 && a.uv.maxCoeff() < 1 - 1e-4)
-        list.push_back(a);
+  for (const auto& p : points)
+    for (const SM::Chart_point& a : Atlas().charts_at(p))
+      if (a.uv.minCoeff() > 1e-4 && a.uv.maxCoeff() < 1 - 1e-4) list.push_back(a);
   return list;
 }
 
@@ -257,7 +255,7 @@ TEMPLATE_TEST_CASE("Batches of hierarchical surfaces agree with single points, i
                    SM::Plane_atlas, SM::Torus_atlas, SM::Sphere_atlas)
 {
   const auto p = random_domain_points<TestType>(1001);
-  for(int degree : {2, 3, 5, 6}) { // 6 has no batches
+  for (int degree : {2, 3, 5, 6}) { // 6 has no batches
     const auto surface = hierarchical_surface<TestType>(degree);
     check_batches(surface, p);
     check_batches(surface, all_chart_points<TestType>(p));
@@ -275,10 +273,9 @@ TEST_CASE("Batches with bumps that do not sum to one")
 TEST_CASE("Batches at the poles, borders and corners of charts")
 {
   std::vector<Vector3d> p;
-  for(int k = 0; k < 27; ++k)
-    if(k != 13)
-      p.push_back(Vector3d(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1).normalized());
-  for(int k = 0; k < 24; ++k) { // the borders |z| = sin(3 pi/8) and y = 0 of charts, and near them
+  for (int k = 0; k < 27; ++k)
+    if (k != 13) p.push_back(Vector3d(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1).normalized());
+  for (int k = 0; k < 24; ++k) { // the borders |z| = sin(3 pi/8) and y = 0 of charts, and near them
     const double z = std::sin(.375 * 3.14159265358979324) + (k % 3 - 1) * 1e-13, a = .3 * k;
     const double r = std::sqrt(1 - z * z), y = (k % 3 - 1) * 1e-17;
     p.push_back(Vector3d(r * std::cos(a), r * std::sin(a), z));
@@ -289,10 +286,9 @@ TEST_CASE("Batches at the poles, borders and corners of charts")
   check_batches(hierarchical_surface<SM::Sphere_atlas>(), p);
 
   std::vector<Vector2d> q;
-  for(double u : {0., 1e-300, 1e-17, 1. / 6, 1. / 3, std::nextafter(1. / 3, 1), .5, 2. / 3,
-                  std::nextafter(2. / 3, 1), 5. / 6, std::nextafter(1., 0)})
-    for(double v : {0., .2, 1. / 3, 2. / 3, std::nextafter(1., 0)})
-      q.push_back({u, v});
+  for (double u : {0., 1e-300, 1e-17, 1. / 6, 1. / 3, std::nextafter(1. / 3, 1), .5, 2. / 3,
+                   std::nextafter(2. / 3, 1), 5. / 6, std::nextafter(1., 0)})
+    for (double v : {0., .2, 1. / 3, 2. / 3, std::nextafter(1., 0)}) q.push_back({u, v});
   check_batches(hierarchical_surface<SM::Torus_atlas>(), q);
   q.push_back({1, 1});
   q.push_back({0, 1});
@@ -306,16 +302,14 @@ TEST_CASE("A point has the same result to the last bit in any range and for any 
     surface.jets(p, std::back_inserter(all));
     surface.template jets<CGAL::Parallel_if_available_tag>(p, std::back_inserter(parallel));
     std::size_t different = 0;
-    for(std::size_t k = 0; k < p.size(); ++k)
-      different += distance(all[k], parallel[k]) != 0;
+    for (std::size_t k = 0; k < p.size(); ++k) different += distance(all[k], parallel[k]) != 0;
     CHECK(different == 0);
-    for(std::size_t n : {0, 1, 2, 31, 32, 33, 700}) {
+    for (std::size_t n : {0, 1, 2, 31, 32, 33, 700}) {
       const std::list<std::decay_t<decltype(p[0])>> part(p.begin() + 5, p.begin() + 5 + n);
       some.clear();
       surface.jets(part, std::back_inserter(some));
       REQUIRE(some.size() == n);
-      for(std::size_t k = 0; k < n; ++k)
-        different += distance(some[k], all[5 + k]) != 0;
+      for (std::size_t k = 0; k < n; ++k) different += distance(some[k], all[5 + k]) != 0;
     }
     CHECK(different == 0);
   };
@@ -333,7 +327,7 @@ template <class Surface, class Path>
 Vector3d jumps(const Surface& surface, const Path& path, double h)
 {
   std::vector<SM::Chart_point> points;
-  for(int k = 1; k <= 3; ++k) {
+  for (int k = 1; k <= 3; ++k) {
     points.push_back(path(k * h));
     points.push_back(path(-k * h));
   }
@@ -345,10 +339,11 @@ Vector3d jumps(const Surface& surface, const Path& path, double h)
   };
   const SM::Jet& e = j[0];
   return {jump([](const SM::Jet& x) { return x.value; }) / e.value.norm(),
-          (jump([](const SM::Jet& x) { return x.u; }) + jump([](const SM::Jet& x) { return x.v; }))
-            / (e.u.norm() + e.v.norm()),
-          (jump([](const SM::Jet& x) { return x.uu; }) + jump([](const SM::Jet& x) { return x.uv; })
-           + jump([](const SM::Jet& x) { return x.vv; })) / (e.uu.norm() + e.uv.norm() + e.vv.norm())};
+          (jump([](const SM::Jet& x) { return x.u; }) + jump([](const SM::Jet& x) { return x.v; })) /
+            (e.u.norm() + e.v.norm()),
+          (jump([](const SM::Jet& x) { return x.uu; }) + jump([](const SM::Jet& x) { return x.uv; }) +
+           jump([](const SM::Jet& x) { return x.vv; })) /
+            (e.uu.norm() + e.uv.norm() + e.vv.norm())};
 }
 
 template <class Bump>
@@ -357,7 +352,7 @@ Vector3d jumps_on_sphere()
   const auto surface = hierarchical_surface<SM::Sphere_atlas, Bump>();
   const SM::Sphere_atlas atlas;
   Vector3d worst(0, 0, 0);
-  for(int k = 0; k < 40; ++k) {
+  for (int k = 0; k < 40; ++k) {
     // the charts 0 and 1 end at y = 0 and at |z| = s: seen from chart 2 or 3, resp. 4 or 5
     const double s = std::sin(.375 * 3.14159265358979324), a = .35 + .02 * k;
     const auto across_y = [&](double t) {
@@ -381,9 +376,9 @@ Vector3d jumps_on_torus()
 {
   const auto surface = hierarchical_surface<SM::Torus_atlas, Bump>();
   Vector3d worst(0, 0, 0);
-  for(int c = 0; c < 9; ++c)
-    for(int k = 0; k < 10; ++k) // the middle of a chart is the border of two others
-      for(const bool is_u : {false, true}) {
+  for (int c = 0; c < 9; ++c)
+    for (int k = 0; k < 10; ++k) // the middle of a chart is the border of two others
+      for (const bool is_u : {false, true}) {
         const double v = .05 + .09 * k;
         const auto across = [&](double t) {
           return SM::Chart_point{c, is_u ? Vector2d(.5 + t, v + .3 * t) : Vector2d(v - .2 * t, .5 + t)};
@@ -398,7 +393,7 @@ Vector3d jumps_on_torus()
 TEST_CASE("At the borders of charts position and two derivatives jump by rounding errors only")
 {
   using Smooth = SM::Smoothstep_bump<2>;
-  for(const Vector3d& j : {jumps_on_sphere<Smooth>(), jumps_on_torus<Smooth>()}) {
+  for (const Vector3d& j : {jumps_on_sphere<Smooth>(), jumps_on_torus<Smooth>()}) {
     CAPTURE(j.transpose());
     CHECK(j[0] < 1e-13);
     CHECK(j[1] < 1e-11);
@@ -406,7 +401,7 @@ TEST_CASE("At the borders of charts position and two derivatives jump by roundin
   }
   // the second derivatives of a surface with a bump of smoothness 1 do jump, and are seen
   using Rough = SM::Smoothstep_bump<1>;
-  for(const Vector3d& j : {jumps_on_sphere<Rough>(), jumps_on_torus<Rough>()}) {
+  for (const Vector3d& j : {jumps_on_sphere<Rough>(), jumps_on_torus<Rough>()}) {
     CHECK(j[1] < 1e-11);
     CHECK(j[2] > 1e-3);
   }

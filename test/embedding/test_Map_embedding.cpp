@@ -23,13 +23,13 @@ SM::Manifold_map<Atlas> grid_map(int n, const Function& f)
   std::vector<Vector2d> q;
   std::vector<Vector3d> x;
   std::vector<SM::Triangle> faces;
-  for(int i = 0; i < m; ++i)
-    for(int j = 0; j < m; ++j) {
+  for (int i = 0; i < m; ++i)
+    for (int j = 0; j < m; ++j) {
       q.push_back(Vector2d(double(i) / n, double(j) / n));
       x.push_back(f(q.back()));
     }
-  for(int i = 0; i < n; ++i)
-    for(int j = 0; j < n; ++j) {
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
       const int k = (i + 1) % m, l = (j + 1) % m;
       faces.push_back({i * m + j, k * m + j, k * m + l});
       faces.push_back({i * m + j, k * m + l, i * m + l});
@@ -45,11 +45,11 @@ void check(const Map& map)
   const SM::Manifold_surface<Atlas, SM::Map_embedding<Map>> surface(SM::map_embeddings(map));
   CHECK(surface.smoothness() == 0);
   const double h = 1e-6;
-  for(const auto& p : random_domain_points<Atlas>(200)) {
+  for (const auto& p : random_domain_points<Atlas>(200)) {
     CHECK((surface.point(p) - map(p)).norm() < 1e-13);
-    for(const SM::Chart_point& a : Atlas().charts_at(p)) {
+    for (const SM::Chart_point& a : Atlas().charts_at(p)) {
       const SM::Map_embedding<Map>& e = surface.chart_embedding(a.chart);
-      if(map.to_mesh(p).barycentric.minCoeff() < 1e-3 || a.uv.minCoeff() < h || a.uv.maxCoeff() > 1 - h)
+      if (map.to_mesh(p).barycentric.minCoeff() < 1e-3 || a.uv.minCoeff() < h || a.uv.maxCoeff() > 1 - h)
         continue; // differences must stay inside of the face
       const SM::Jet j = e.jet(a.uv);
       const Vector2d u(h, 0), v(0, h);
@@ -77,7 +77,7 @@ TEST_CASE("The normal of a surface of map embeddings is that of the face")
   const auto map = octahedron_map(2, bumpy_sphere);
   const SM::Manifold_surface<SM::Sphere_atlas, SM::Map_embedding<SM::Manifold_map<SM::Sphere_atlas>>> surface(
     SM::map_embeddings(map));
-  for(std::size_t f = 0; f < map.number_of_faces(); ++f) {
+  for (std::size_t f = 0; f < map.number_of_faces(); ++f) {
     SM::Manifold_map<SM::Sphere_atlas>::Location l;
     l.face = int(f);
     l.barycentric = Vector3d(.3, .3, .4);

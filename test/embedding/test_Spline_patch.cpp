@@ -17,7 +17,7 @@ namespace {
 std::vector<Vector3d> wavy(int n)
 {
   std::vector<Vector3d> c;
-  for(int k = 0; k < n; ++k)
+  for (int k = 0; k < n; ++k)
     c.push_back(Vector3d(std::sin(1.7 * k), std::cos(2.9 * k + 1), std::sin(0.3 * k * k)));
   return c;
 }
@@ -30,32 +30,30 @@ SM::Spline_patch wavy_patch(int degree, int nu, int nv,
 
 double difference(const SM::Jet& a, const SM::Jet& b)
 {
-  return (a.value - b.value).norm() + (a.u - b.u).norm() + (a.v - b.v).norm()
-       + (a.uu - b.uu).norm() + (a.uv - b.uv).norm() + (a.vv - b.vv).norm();
+  return (a.value - b.value).norm() + (a.u - b.u).norm() + (a.v - b.v).norm() + (a.uu - b.uu).norm() +
+         (a.uv - b.uv).norm() + (a.vv - b.vv).norm();
 }
 
 } // namespace
 
 TEST_CASE("A patch with equal coefficients is constant on its rectangle")
 {
-  for(int d = 1; d <= 9; ++d) {
+  for (int d = 1; d <= 9; ++d) {
     const SM::Spline_patch patch({.2, .1, .8, .6}, d, d + 3, d + 5,
                                  std::vector<Vector3d>((d + 3) * (d + 5), Vector3d(1, -2, 3)));
-    for(double u : {.2, .37, .5, .8})
-      for(double v : {.1, .33, .6})
-        CHECK((patch.point({u, v}) - Vector3d(1, -2, 3)).norm() < 1e-14);
+    for (double u : {.2, .37, .5, .8})
+      for (double v : {.1, .33, .6}) CHECK((patch.point({u, v}) - Vector3d(1, -2, 3)).norm() < 1e-14);
   }
 }
 
 TEST_CASE("Control points at the Greville abscissae reproduce the identity")
 {
   // sum_i xi_i N_i(x) = x, where xi_i is the mean of the inner knots of N_i
-  for(int d = 1; d <= 9; ++d) {
+  for (int d = 1; d <= 9; ++d) {
     const int nu = d + 4, nv = d + 2;
     std::vector<Vector3d> c;
-    for(int i = 0; i < nu; ++i)
-      for(int j = 0; j < nv; ++j)
-        c.push_back(Vector3d((i - (d - 1) / 2.) / 4, (j - (d - 1) / 2.) / 2, 0));
+    for (int i = 0; i < nu; ++i)
+      for (int j = 0; j < nv; ++j) c.push_back(Vector3d((i - (d - 1) / 2.) / 4, (j - (d - 1) / 2.) / 2, 0));
     const SM::Spline_patch patch({0, 0, 1, 1}, d, nu, nv, c);
     const SM::Jet e = patch.jet({.3, .85});
     CHECK((e.value - Vector3d(.3, .85, 0)).norm() < 1e-14);
@@ -68,9 +66,9 @@ TEST_CASE("Control points at the Greville abscissae reproduce the identity")
 TEST_CASE("The jet of a patch agrees with differences")
 {
   const double h = 1e-5;
-  for(int d = 2; d <= 9; ++d) {
+  for (int d = 2; d <= 9; ++d) {
     const SM::Spline_patch patch = wavy_patch(d, d + 3, d + 4, {.1, .2, .9, 1.});
-    for(const Vector2d& p : {Vector2d(.31, .47), Vector2d(.05, .9), Vector2d(.77, 1.1)}) {
+    for (const Vector2d& p : {Vector2d(.31, .47), Vector2d(.05, .9), Vector2d(.77, 1.1)}) {
       const SM::Jet e = patch.jet(p);
       const Vector2d x(h, 0), y(0, h);
       CHECK((e.value - patch.point(p)).norm() < 1e-14);
@@ -90,7 +88,7 @@ TEST_CASE("A patch decays to zero within d cells outside of its rectangle")
 {
   const int d = 3;
   const SM::Spline_patch patch = wavy_patch(d, 7, 7, {.4, .4, .6, .6}); // cells of .05
-  CHECK(patch.point({.39, .5}).norm() > .01);  // beyond the rectangle, still alive
+  CHECK(patch.point({.39, .5}).norm() > .01);                           // beyond the rectangle, still alive
   CHECK(patch.point({.26, .5}).norm() > 0);
   CHECK(patch.point({.249, .5}).norm() == 0);
   CHECK(patch.point({.5, .751}).norm() == 0);
@@ -103,14 +101,14 @@ TEST_CASE("A patch decays to zero within d cells outside of its rectangle")
 TEST_CASE("A patch has d-1 continuous derivatives at the edge of its rectangle and of its support")
 {
   const double h = 1e-7;
-  for(int d = 2; d <= 5; ++d) {
+  for (int d = 2; d <= 5; ++d) {
     const SM::Spline_patch patch = wavy_patch(d, d + 4, d + 4, {.4, .4, .6, .6});
-    for(double u : {.4, .6, .4 - d * .05, .6 + d * .05}) {
+    for (double u : {.4, .6, .4 - d * .05, .6 + d * .05}) {
       SM::Jet below = patch.jet({u - h, .52}), above = patch.jet({u + h, .52});
       CHECK((below.value - above.value).norm() < 1e-4);
       CHECK((below.u - above.u).norm() < 1e-2 * (1 + below.u.norm()));
       const double jump = (below.uu - above.uu).norm();
-      if(d >= 3)
+      if (d >= 3)
         CHECK(jump < 1e-2 * (1 + below.uu.norm()));
       else
         CHECK(jump > 1); // a parabola's second derivative does jump
@@ -120,14 +118,13 @@ TEST_CASE("A patch has d-1 continuous derivatives at the edge of its rectangle a
 
 TEST_CASE("The refined patch is the same function")
 {
-  for(int d = 1; d <= 9; ++d) {
+  for (int d = 1; d <= 9; ++d) {
     const SM::Spline_patch coarse = wavy_patch(d, d + 3, d + 2);
     const SM::Spline_patch fine = coarse.refined();
     CHECK(fine.nu() == 6 + d);
     CHECK(fine.nv() == 4 + d);
-    for(double u : {0., .111, .25, .5, .73, 1.})
-      for(double v : {0., .321, .5, .99})
-        CHECK((coarse.point({u, v}) - fine.point({u, v})).norm() < 1e-14);
+    for (double u : {0., .111, .25, .5, .73, 1.})
+      for (double v : {0., .321, .5, .99}) CHECK((coarse.point({u, v}) - fine.point({u, v})).norm() < 1e-14);
     CHECK(difference(coarse.jet({.41, .13}), fine.jet({.41, .13})) < 1e-10);
   }
 }
@@ -137,7 +134,7 @@ TEST_CASE("Inactive functions contribute nothing; coefficients are returned as t
   const std::vector<Vector3d> all = wavy(7 * 8);
   const std::vector<int> indices = {55, 3, 17, 20};
   std::vector<Vector3d> some, filled(7 * 8, Vector3d::Zero());
-  for(int k : indices) {
+  for (int k : indices) {
     some.push_back(all[k]);
     filled[k] = all[k];
   }
@@ -148,7 +145,7 @@ TEST_CASE("Inactive functions contribute nothing; coefficients are returned as t
   CHECK(dense.coefficients() == filled);
   CHECK(sparse.coefficient(2, 1) == all[17]);
   CHECK(sparse.coefficient(2, 2) == Vector3d::Zero());
-  for(double u = 0; u <= 1; u += .0625)
+  for (double u = 0; u <= 1; u += .0625)
     CHECK(difference(sparse.jet({u, 1 - u}), dense.jet({u, 1 - u})) == 0);
 }
 
@@ -158,7 +155,7 @@ TEST_CASE("A stack of patches is their sum and as smooth as the least smooth of 
   const SM::Patch_stack_embedding stack({base, offset});
   CHECK(stack.smoothness() == 1);
   CHECK(stack.number_of_coefficients() == 79);
-  for(double u = .05; u < 1; u += .1) {
+  for (double u = .05; u < 1; u += .1) {
     SM::Jet sum = base.jet({u, .4});
     sum += offset.jet({u, .4});
     CHECK(difference(stack.jet({u, .4}), sum) < 1e-12);
@@ -168,8 +165,8 @@ TEST_CASE("A stack of patches is their sum and as smooth as the least smooth of 
 
 TEST_CASE("Evaluation at the very ends of the support stays inside of the coefficients")
 {
-  for(int n : {7, 35, 62, 67, 131})
-    for(double ulp : {-1e-15, 0., 1e-15}) {
+  for (int n : {7, 35, 62, 67, 131})
+    for (double ulp : {-1e-15, 0., 1e-15}) {
       const SM::Spline_patch patch = wavy_patch(3, n, 5, {0, 0, 1, 1});
       const double end = n / double(n - 3);
       CHECK(patch.point({end * (1 + ulp), .5}).norm() < 1e-12);

@@ -24,14 +24,14 @@ SM::Manifold_map<SM::Plane_atlas> sheet(int n)
   std::vector<Vector3d> points;
   std::vector<Vector2d> domain;
   std::vector<SM::Triangle> faces;
-  for(int i = 0; i <= n; ++i)
-    for(int j = 0; j <= n; ++j) {
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) {
       const Vector2d p(double(i) / n, double(j) / n);
       // the domain points of the inner vertices are shifted along the sheet
       const double shift = .02 * std::sin(9 * p.y()) * std::sin(3.14159265358979 * p.x());
       domain.push_back({i == 0 || i == n || j == 0 || j == n ? p.x() : p.x() + shift, p.y()});
       points.push_back(wavy_sheet(p));
-      if(i < n && j < n) {
+      if (i < n && j < n) {
         const int v = i * (n + 1) + j;
         faces.push_back({v, v + n + 1, v + n + 2});
         faces.push_back({v, v + n + 2, v + 1});
@@ -46,7 +46,8 @@ SM::Fit_report report_of(const Map& map)
 {
   SM::Fit_report report;
   SM::fit_surface(map, SM::parameters::max_controls(Map::Atlas::number_of_charts * 49)
-                         .rms_error(1e-9).fit_report(std::ref(report)));
+                         .rms_error(1e-9)
+                         .fit_report(std::ref(report)));
   return report;
 }
 
@@ -62,7 +63,7 @@ TEST_CASE("Corrected parameters bring vertices nearer to the surface, and fits n
   CHECK(corrected.faces() == map.faces());
   CHECK(corrected.points() == map.points());
   double before = 0, after = 0;
-  for(std::size_t v = 0; v < map.number_of_vertices(); ++v) {
+  for (std::size_t v = 0; v < map.number_of_vertices(); ++v) {
     before += (surface.point(map.domain_point(v)) - map.point(v)).squaredNorm();
     after += (surface.point(corrected.domain_point(v)) - map.point(v)).squaredNorm();
   }
@@ -76,9 +77,9 @@ TEST_CASE("The border of the square stays when parameters are corrected")
   const auto surface = SM::fit_surface(map, SM::parameters::max_controls(49));
   const SM::Manifold_map<SM::Plane_atlas> corrected = SM::correct_parameters(map, surface);
   std::size_t moved = 0;
-  for(std::size_t v = 0; v < map.number_of_vertices(); ++v) {
+  for (std::size_t v = 0; v < map.number_of_vertices(); ++v) {
     const Vector2d& p = map.domain_point(v);
-    if(p.minCoeff() <= 0 || p.maxCoeff() >= 1)
+    if (p.minCoeff() <= 0 || p.maxCoeff() >= 1)
       CHECK(corrected.domain_point(v) == p);
     else
       moved += corrected.domain_point(v) != p;

@@ -23,7 +23,9 @@ using Eigen::Vector3d;
 
 namespace {
 
-struct Error { double rms = 0, max = 0; };
+struct Error {
+  double rms = 0, max = 0;
+};
 
 // at points that the fit has never seen, as a fraction of the diagonal
 template <class Surface, class Map>
@@ -31,7 +33,7 @@ Error independent_error(const Surface& surface, const Map& map, const typename M
 {
   Error e;
   const auto points = random_domain_points<typename Map::Atlas>(5000);
-  for(const auto& p : points) {
+  for (const auto& p : points) {
     const double d = (surface.point(p) - truth(p)).norm() / map.diagonal();
     e.rms += d * d / double(points.size());
     e.max = (std::max)(e.max, d);
@@ -45,8 +47,9 @@ template <class Map>
 auto fit_with(const Map& map, int controls_per_side, SM::Joint_solve joint = SM::Joint_solve::AT_END)
 {
   const std::size_t limit = std::size_t(Map::Atlas::number_of_charts) * controls_per_side * controls_per_side;
-  return SM::fit_surface(map, SM::parameters::rms_error(0.).max_controls(limit)
-                                .refinement(SM::Refinement::UNIFORM).joint_solve(joint));
+  return SM::fit_surface(
+    map,
+    SM::parameters::rms_error(0.).max_controls(limit).refinement(SM::Refinement::UNIFORM).joint_solve(joint));
 }
 
 template <class Atlas>
@@ -69,11 +72,11 @@ Error error_in_faces(const Surface& surface, const Map& map, int count)
 {
   std::mt19937 engine(3);
   Error e;
-  for(int k = 0; k < count; ++k) {
+  for (int k = 0; k < count; ++k) {
     typename Map::Location l;
     l.face = int(engine() % map.number_of_faces());
     double a = engine() / 4294967296., b = engine() / 4294967296.;
-    if(a + b > 1) {
+    if (a + b > 1) {
       a = 1 - a;
       b = 1 - b;
     }
@@ -106,8 +109,7 @@ struct Recorder : SM::Default_visitor {
   {
     is_monotone = is_monotone && f >= last && f <= 1;
     last = f;
-    if(cancel_after-- == 0)
-      throw std::runtime_error("cancelled");
+    if (cancel_after-- == 0) throw std::runtime_error("cancelled");
   }
   void end_phase() { is_open = false; }
 };
@@ -118,18 +120,17 @@ TEST_CASE("A fitted unit sphere has curvatures one")
 {
   const Analytic_map<SM::Sphere_atlas> map([](const Vector3d& p) { return p; });
   double before = 0;
-  for(const auto& [controls, tolerance] : {std::pair(19, 1.5e-2), std::pair(35, 3e-3)}) {
+  for (const auto& [controls, tolerance] : {std::pair(19, 1.5e-2), std::pair(35, 3e-3)}) {
     const auto surface = fit_with(map, controls);
     double worst = 0, worst_normal = 0;
-    for(const Vector3d& p : random_domain_points<SM::Sphere_atlas>(3000)) {
+    for (const Vector3d& p : random_domain_points<SM::Sphere_atlas>(3000)) {
       worst = (std::max)(worst, std::abs(surface.mean_curvature(p) - 1));
       worst = (std::max)(worst, std::abs(surface.gaussian_curvature(p) - 1));
       worst_normal = (std::max)(worst_normal, (surface.normal(p) - p).norm());
     }
     CHECK(worst < tolerance);
     CHECK(worst_normal < tolerance / 10);
-    if(before > 0)
-      CHECK(std::log2(before / worst) > 1.8);
+    if (before > 0) CHECK(std::log2(before / worst) > 1.8);
     before = worst;
   }
 }
@@ -139,7 +140,7 @@ TEST_CASE("A fitted torus of revolution has its known normal and curvatures")
   const double R = 2, r = .7;
   const Analytic_map<SM::Torus_atlas> map([](const Vector2d& p) { return torus_of_revolution(p); });
   const auto surface = fit_with(map, 35);
-  for(const Vector2d& p : random_domain_points<SM::Torus_atlas>(1000)) {
+  for (const Vector2d& p : random_domain_points<SM::Torus_atlas>(1000)) {
     const double a = 6.283185307179586 * p.x(), b = 6.283185307179586 * p.y();
     const double tube = 1 / r, around = std::cos(b) / (R + r * std::cos(b));
     const auto [k1, k2] = surface.principal_curvatures(p);
@@ -172,10 +173,10 @@ TEST_CASE("The report says what was reached, by the definition of the errors")
     max = (std::max)(max, d);
     ++n;
   };
-  for(std::size_t v = 0; v < map.number_of_vertices(); ++v)
+  for (std::size_t v = 0; v < map.number_of_vertices(); ++v)
     add(surface.point(map.domain_point(v)), map.point(v));
-  for(std::size_t f = 0; f < map.number_of_faces(); ++f)
-    for(int k = 0; k < 3; ++k) {
+  for (std::size_t f = 0; f < map.number_of_faces(); ++f)
+    for (int k = 0; k < 3; ++k) {
       Analytic_map<SM::Sphere_atlas>::Location l;
       l.face = int(f);
       l.barycentric = Vector3d(1, 1, 1) / 6;
@@ -192,7 +193,7 @@ TEST_CASE("The report says what was reached, by the definition of the errors")
   CHECK(report.chart_disagreement > 0);
   REQUIRE(report.charts.size() == 6);
   double total = 0;
-  for(int c = 0; c < 6; ++c) {
+  for (int c = 0; c < 6; ++c) {
     CHECK(surface.chart_embedding(c).number_of_coefficients() == report.charts[c].controls);
     CHECK(int(surface.chart_embedding(c).levels().size()) == report.charts[c].levels);
     CHECK(report.charts[c].max_error <= report.max_error);
@@ -213,13 +214,16 @@ TEST_CASE("The normal deviation is the angle between facets and the surface")
 {
   const SM::Manifold_map<SM::Sphere_atlas> map = octahedron_map(3, [](const Vector3d& p) { return p; });
   SM::Fit_report report;
-  SM::fit_surface(map, SM::parameters::rms_error(1.).fit_report(std::ref(report))); // a sphere, not the facets
+  SM::fit_surface(map,
+                  SM::parameters::rms_error(1.).fit_report(std::ref(report))); // a sphere, not the facets
   double sum = 0;
-  for(std::size_t f = 0; f < map.number_of_faces(); ++f) {
+  for (std::size_t f = 0; f < map.number_of_faces(); ++f) {
     const SM::Triangle& t = map.face(f);
-    const Vector3d n = (map.point(t[1]) - map.point(t[0])).cross(map.point(t[2]) - map.point(t[0])).normalized();
-    for(int k = 0; k < 3; ++k) { // the sphere's normal at the three points
-      const Vector3d x = (map.point(t[0]) + map.point(t[1]) + map.point(t[2]) + 3 * map.point(t[k])).normalized();
+    const Vector3d n =
+      (map.point(t[1]) - map.point(t[0])).cross(map.point(t[2]) - map.point(t[0])).normalized();
+    for (int k = 0; k < 3; ++k) { // the sphere's normal at the three points
+      const Vector3d x =
+        (map.point(t[0]) + map.point(t[1]) + map.point(t[2]) + 3 * map.point(t[k])).normalized();
       sum += std::pow(std::acos((std::min)(1., n.dot(x))), 2);
     }
   }
@@ -230,19 +234,21 @@ TEST_CASE("A tolerance that cannot be reached is reported, and every level was b
 {
   const Analytic_map<SM::Torus_atlas> map(bumpy_torus, 8);
   SM::Fit_report report;
-  SM::fit_surface(map, SM::parameters::rms_error(1e-12).max_controls(9 * 40 * 40)
-                         .refinement(SM::Refinement::UNIFORM).fit_report(std::ref(report)));
+  SM::fit_surface(map, SM::parameters::rms_error(1e-12)
+                         .max_controls(9 * 40 * 40)
+                         .refinement(SM::Refinement::UNIFORM)
+                         .fit_report(std::ref(report)));
   CHECK_FALSE(report.tolerance_reached);
   CHECK(report.controls == 9 * 35 * 35); // doubling once more exceeds the limit
   REQUIRE(report.levels.size() == 4);
-  for(std::size_t k = 1; k < report.levels.size(); ++k)
+  for (std::size_t k = 1; k < report.levels.size(); ++k)
     CHECK(report.levels[k].rms_error < report.levels[k - 1].rms_error / 4);
 }
 
 TEST_CASE("Adaptive refinement keeps to the limit of the controls")
 {
   const Analytic_map<SM::Sphere_atlas> map(bumpy_sphere, 12);
-  for(const std::size_t limit : {294, 400, 1000}) {
+  for (const std::size_t limit : {294, 400, 1000}) {
     SM::Fit_report report;
     SM::fit_surface(map, SM::parameters::rms_error(1e-9).max_controls(limit).fit_report(std::ref(report)));
     CHECK_FALSE(report.tolerance_reached);
@@ -258,7 +264,7 @@ TEST_CASE("Controls are where the detail is")
   SM::Fit_report adaptive, uniform;
   const auto surface = SM::fit_surface(map, SM::parameters::fit_report(std::ref(adaptive), tolerances));
   SM::fit_surface(map, SM::parameters::refinement(SM::Refinement::UNIFORM,
-                         SM::parameters::fit_report(std::ref(uniform), tolerances)));
+                                                  SM::parameters::fit_report(std::ref(uniform), tolerances)));
   CHECK(adaptive.tolerance_reached);
   CHECK(uniform.tolerance_reached);
   CHECK(adaptive.charts[5].controls == 49);
@@ -273,8 +279,8 @@ TEST_CASE("Joint solving needs fewer controls than charts alone")
   const Analytic_map<SM::Torus_atlas> map(bumpy_torus, 24);
   const auto controls = [&](SM::Joint_solve joint) {
     SM::Fit_report report;
-    SM::fit_surface(map, SM::parameters::rms_error(1.).max_error(1e-3).joint_solve(joint)
-                           .fit_report(std::ref(report)));
+    SM::fit_surface(
+      map, SM::parameters::rms_error(1.).max_error(1e-3).joint_solve(joint).fit_report(std::ref(report)));
     CHECK(report.tolerance_reached);
     return report.controls;
   };
@@ -290,13 +296,14 @@ TEST_CASE("Marking by vertices brings the vertices within the tolerance, with fe
   SM::Fit_report all, vertices;
   const auto tolerance = SM::parameters::rms_error(1.).max_error(2e-3);
   SM::fit_surface(map, SM::parameters::fit_report(std::ref(all), tolerance));
-  const auto surface = SM::fit_surface(map, SM::parameters::marking(SM::Marking::VERTICES,
-                                              SM::parameters::fit_report(std::ref(vertices), tolerance)));
+  const auto surface =
+    SM::fit_surface(map, SM::parameters::marking(SM::Marking::VERTICES,
+                                                 SM::parameters::fit_report(std::ref(vertices), tolerance)));
   CHECK(vertices.tolerance_reached);
   CHECK(vertices.vertex_max_error <= 2e-3);
   CHECK(vertices.controls < all.controls);
   double max = 0;
-  for(std::size_t v = 0; v < map.number_of_vertices(); ++v)
+  for (std::size_t v = 0; v < map.number_of_vertices(); ++v)
     max = (std::max)(max, (surface.point(map.domain_point(v)) - map.point(v)).norm() / map.diagonal());
   CHECK(vertices.vertex_max_error == Approx(max));
 }
@@ -305,13 +312,13 @@ TEST_CASE("Weights of vertices draw the surface to them")
 {
   const SM::Manifold_map<SM::Sphere_atlas> map = octahedron_map(4, spike);
   std::size_t top = 0;
-  for(std::size_t v = 0; v < map.number_of_vertices(); ++v)
-    if(map.domain_point(v).z() > map.domain_point(top).z())
-      top = v;
+  for (std::size_t v = 0; v < map.number_of_vertices(); ++v)
+    if (map.domain_point(v).z() > map.domain_point(top).z()) top = v;
   const auto error = [&](double weight) {
     std::vector<double> weights(map.number_of_vertices(), 1);
     weights[top] = weight;
-    const auto surface = SM::fit_surface(map, SM::parameters::max_controls(294).vertex_weights(std::cref(weights)));
+    const auto surface =
+      SM::fit_surface(map, SM::parameters::max_controls(294).vertex_weights(std::cref(weights)));
     return (surface.point(map.domain_point(top)) - map.point(top)).norm();
   };
   CHECK(error(1e4) < error(1) / 3);
@@ -321,14 +328,13 @@ TEST_CASE("Weights of vertices draw the surface to them")
 TEST_CASE("Fairness smooths noise away")
 {
   std::mt19937 engine(7);
-  const SM::Manifold_map<SM::Sphere_atlas> map = octahedron_map(4, [&](const Vector3d& p) -> Vector3d {
-    return p * (1 + .02 * (engine() / 4294967296. - .5));
-  });
+  const SM::Manifold_map<SM::Sphere_atlas> map = octahedron_map(
+    4, [&](const Vector3d& p) -> Vector3d { return p * (1 + .02 * (engine() / 4294967296. - .5)); });
   const auto roughness = [&](double fairness) { // of curvatures that should be 1
     const auto surface =
       SM::fit_surface(map, SM::parameters::rms_error(1e-6).max_controls(2000).fairness(fairness));
     double sum = 0;
-    for(const Vector3d& p : random_domain_points<SM::Sphere_atlas>(500))
+    for (const Vector3d& p : random_domain_points<SM::Sphere_atlas>(500))
       sum += std::pow(surface.mean_curvature(p) - 1, 2) / 500;
     return std::sqrt(sum);
   };
@@ -338,7 +344,7 @@ TEST_CASE("Fairness smooths noise away")
 TEST_CASE("Degree and bump are the user's choice")
 {
   const Analytic_map<SM::Sphere_atlas> map(bumpy_sphere, 8);
-  for(int d = 2; d <= 5; ++d) {
+  for (int d = 2; d <= 5; ++d) {
     SM::Fit_report report;
     const auto surface =
       SM::fit_surface(map, SM::parameters::rms_error(1e-3).spline_degree(d).fit_report(std::ref(report)));
@@ -360,10 +366,10 @@ TEST_CASE("Fits are deterministic, whatever the number of threads, and a fitter 
   SM::Surface_fitter<SM::Manifold_map<SM::Sphere_atlas>> fitter(map, options);
   SM::Default_visitor visitor;
   const auto a = fitter.fit(visitor), b = fitter.fit(visitor);
-  const auto c = SM::fit_surface<CGAL::Parallel_if_available_tag>(
-    map, SM::parameters::rms_error(1e-3).max_error(4e-3));
-  for(int k = 0; k < 6; ++k)
-    for(std::size_t l = 0; l < a.chart_embedding(k).levels().size(); ++l) {
+  const auto c =
+    SM::fit_surface<CGAL::Parallel_if_available_tag>(map, SM::parameters::rms_error(1e-3).max_error(4e-3));
+  for (int k = 0; k < 6; ++k)
+    for (std::size_t l = 0; l < a.chart_embedding(k).levels().size(); ++l) {
       CHECK(a.chart_embedding(k).levels()[l].coefficients == b.chart_embedding(k).levels()[l].coefficients);
       CHECK(a.chart_embedding(k).levels()[l].coefficients == c.chart_embedding(k).levels()[l].coefficients);
     }
@@ -373,9 +379,9 @@ TEST_CASE("A fit does not depend on where the shape lies")
 {
   const Vector3d far(1000, -2000, 500);
   const Analytic_map<SM::Sphere_atlas> here(bumpy_sphere, 8),
-    there([&](const Vector3d& p) -> Vector3d { return bumpy_sphere(p) + far; }, 8);
+    there([&](const Vector3d&p) -> Vector3d { return bumpy_sphere(p) + far; }, 8);
   const auto a = fit_with(here, 11), b = fit_with(there, 11);
-  for(const Vector3d& p : random_domain_points<SM::Sphere_atlas>(200))
+  for (const Vector3d& p : random_domain_points<SM::Sphere_atlas>(200))
     CHECK((a.point(p) + far - b.point(p)).norm() < 1e-9);
 }
 
@@ -397,9 +403,9 @@ TEST_CASE("Charts that are fitted alone stay near the mesh up to their borders, 
   const SM::Manifold_map<SM::Sphere_atlas> map = octahedron_map(4, bumpy_sphere);
   const auto surface = fit_with(map, 19, SM::Joint_solve::NEVER);
   double worst = 0;
-  for(int c = 0; c < 6; ++c)
-    for(double u : {.01, .2, .5, .8, .99})
-      for(double v : {.01, .2, .5, .8, .99}) {
+  for (int c = 0; c < 6; ++c)
+    for (double u : {.01, .2, .5, .8, .99})
+      for (double v : {.01, .2, .5, .8, .99}) {
         const SM::Chart_point a{c, Vector2d(u, v)};
         const Vector3d x = map(map.atlas().point(a));
         worst = (std::max)(worst, (surface.chart_embedding(c).point(a.uv) - x).norm() / map.diagonal());
@@ -410,7 +416,7 @@ TEST_CASE("Charts that are fitted alone stay near the mesh up to their borders, 
 TEST_CASE("Surfaces fitted to a real mesh do not wiggle between the samples")
 {
   const SM::Manifold_map<SM::Sphere_atlas> map = octahedron_map(4, bumpy_sphere);
-  for(const double tolerance : {1e-2, 3e-3, 1e-3}) {
+  for (const double tolerance : {1e-2, 3e-3, 1e-3}) {
     SM::Fit_report report;
     const auto surface =
       SM::fit_surface(map, SM::parameters::rms_error(1.).max_error(tolerance).fit_report(std::ref(report)));
@@ -421,13 +427,13 @@ TEST_CASE("Surfaces fitted to a real mesh do not wiggle between the samples")
   }
 }
 
-TEST_CASE("Very large and very small meshes are fitted as others, and refused where squares of areas have no room")
+TEST_CASE(
+  "Very large and very small meshes are fitted as others, and refused where squares of areas have no room")
 {
   double curvature = 0; // of the last fit, at a point, were it of scale 1
   const auto fit = [&](double scale, double offset = 0) {
-    const auto map = octahedron_map(2, [&](const Vector3d& p) -> Vector3d {
-      return scale * p + Vector3d::Constant(offset);
-    });
+    const auto map = octahedron_map(
+      2, [&](const Vector3d& p) -> Vector3d { return scale * p + Vector3d::Constant(offset); });
     SM::Fit_report report;
     const auto surface = SM::fit_surface(map, SM::parameters::rms_error(1e-2).fit_report(std::ref(report)));
     CHECK(surface.jet(Vector3d(0, 0, 1)).value.allFinite());
@@ -437,7 +443,7 @@ TEST_CASE("Very large and very small meshes are fitted as others, and refused wh
   };
   const SM::Fit_report one = fit(1);
   const double curvature_of_one = curvature;
-  for(const double scale : {1e-59, 1e59}) {
+  for (const double scale : {1e-59, 1e59}) {
     const SM::Fit_report other = fit(scale);
     CHECK(other.controls == one.controls);
     CHECK(other.rms_error == Approx(one.rms_error).epsilon(1e-6));
@@ -447,7 +453,7 @@ TEST_CASE("Very large and very small meshes are fitted as others, and refused wh
   const auto code = [&](double scale, double offset = 0) {
     try {
       fit(scale, offset);
-    } catch(const SM::Geometry_error& e) {
+    } catch (const SM::Geometry_error& e) {
       return e.code();
     }
     return SM::Error_code::empty_mesh;

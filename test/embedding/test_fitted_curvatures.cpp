@@ -31,7 +31,7 @@ std::pair<double, double> curvature_errors(const Analytic_map<Atlas>& map, const
   const auto surface = fit_uniform(map, side);
   double mean = 0, gaussian = 0;
   const auto points = random_domain_points<Atlas>(1500);
-  for(const auto& p : points) {
+  for (const auto& p : points) {
     mean += std::pow(surface.mean_curvature(p) - truth.mean_curvature(p), 2);
     gaussian += std::pow(surface.gaussian_curvature(p) - truth.gaussian_curvature(p), 2);
   }

@@ -62,9 +62,9 @@ TEST_CASE("The area of a disk")
 
 TEST_CASE("The estimate holds at each tolerance and for each shape")
 {
-  for(double t : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-7, 1e-9})
-    for(const Vector3d& axes :
-        {Vector3d(1, 1, 1), Vector3d(1, 2, 3.5), Vector3d(.05, 1, 1), Vector3d(20, 1, 1)}) {
+  for (double t : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-7, 1e-9})
+    for (const Vector3d& axes :
+         {Vector3d(1, 1, 1), Vector3d(1, 2, 3.5), Vector3d(.05, 1, 1), Vector3d(20, 1, 1)}) {
       const auto body = analytic::ellipsoid(axes);
       const double volume = 4 * pi / 3 * axes.prod();
       check_integral(SM::volume(body, tolerance(t)), volume, 1.01 * (t + 1e-13) * volume);
@@ -85,7 +85,7 @@ TEST_CASE("The total curvature is 2 pi times the Euler characteristic")
 TEST_CASE("The total curvature of splines: charts that disagree, and knots where curvature bends")
 {
   const auto np = tolerance(1e-5);
-  for(double noise : {0., .02, .1}) {
+  for (double noise : {0., .02, .1}) {
     const auto body = spline_surface<SM::Sphere_atlas>(bumpy_sphere, 8, noise);
     check_integral(SM::integrate(body, gaussian, np), 4 * pi, 1e-2);
     const auto torus = spline_surface<SM::Torus_atlas>(bumpy_torus, 8, noise);
@@ -105,9 +105,8 @@ TEST_CASE("Integrals of other functions")
   // Minkowski: the integral of (x . n) H is the area
   const auto body = analytic::ellipsoid({1, 2, 1.5}, .4);
   const SM::Integral area = SM::area(body);
-  const SM::Integral flux = SM::integrate(body, [](const SM::Jet& e) {
-    return e.value.dot(SM::normal(e)) * SM::mean_curvature(e);
-  });
+  const SM::Integral flux =
+    SM::integrate(body, [](const SM::Jet& e) { return e.value.dot(SM::normal(e)) * SM::mean_curvature(e); });
   CHECK(std::abs(area.value - flux.value) <= area.error + flux.error);
   CHECK(area.error + flux.error < 1e-4);
   // the centroid of the surface of a shifted sphere
@@ -120,7 +119,7 @@ TEST_CASE("Kinks are no excuse: area and volume of a polyhedron")
 {
   const auto map = octahedron_map(2, bumpy_sphere);
   double area = 0, volume = 0;
-  for(std::size_t f = 0; f < map.number_of_faces(); ++f) {
+  for (std::size_t f = 0; f < map.number_of_faces(); ++f) {
     const SM::Triangle t = map.face(f);
     const Vector3d &a = map.point(t[0]), &b = map.point(t[1]), &c = map.point(t[2]);
     area += (b - a).cross(c - a).norm() / 2;

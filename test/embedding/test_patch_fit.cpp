@@ -3,7 +3,7 @@
 #include "embedding/octahedron.h"
 
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
-#include <CGAL/Simple_manifolds/embedding/paper/fit_patch_surface.h>
+#include <CGAL/Simple_manifolds/paper/fit/fit_patch_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,7 @@ Vector3d spike(const Vector3d& p) { return p * (1 + .3 * std::exp(-60 * (1 - p.d
 double mean_of_delta(const SM::Patch_fit_report& report)
 {
   double sum = 0;
-  for(const auto& chart : report.charts)
-    sum += chart.average_delta / double(report.charts.size());
+  for (const auto& chart : report.charts) sum += chart.average_delta / double(report.charts.size());
   return sum;
 }
 
@@ -34,8 +33,9 @@ template <class Map>
 SM::Patch_fit_report report_of(const Map& map, int max_patches, SM::Patch_solve solve = SM::Patch_solve::ALL)
 {
   SM::Patch_fit_report report;
-  SM::fit_patch_surface(map, params::average_delta(0.).max_patches(max_patches).patch_solve(solve)
-                               .patch_fit_report(std::ref(report)));
+  SM::fit_patch_surface(
+    map,
+    params::average_delta(0.).max_patches(max_patches).patch_solve(solve).patch_fit_report(std::ref(report)));
   return report;
 }
 
@@ -43,18 +43,18 @@ template <class Atlas>
 void check_normaliser()
 {
   const SM::Partition_of_unity<Atlas> partition;
-  for(int c = 0; c < Atlas::number_of_charts; ++c)
-    for(const auto& w : partition.weights(Atlas().point(SM::Chart_point{c, {.5, .5}})))
+  for (int c = 0; c < Atlas::number_of_charts; ++c)
+    for (const auto& w : partition.weights(Atlas().point(SM::Chart_point{c, {.5, .5}})))
       CHECK(w.weight == Approx(w.point.chart == c ? 1 : 0).margin(1e-12));
 }
 
 template <class Surface>
 void check_equal(const Surface& a, const Surface& b)
 {
-  for(int c = 0; c < Surface::Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < Surface::Atlas::number_of_charts; ++c) {
     const auto &p = a.chart_embedding(c).patches(), &q = b.chart_embedding(c).patches();
     REQUIRE(p.size() == q.size());
-    for(std::size_t k = 0; k < p.size(); ++k) {
+    for (std::size_t k = 0; k < p.size(); ++k) {
       CHECK(p[k].support() == q[k].support());
       CHECK(p[k].coefficients() == q[k].coefficients());
     }
@@ -78,13 +78,13 @@ TEST_CASE("Patches are added where the mesh has a feature, and nowhere else")
     map, params::average_delta(2e-3).max_delta(1e-2).patch_fit_report(std::ref(report)));
   CHECK(report.tolerance_reached);
   CHECK(surface.smoothness() == 2);
-  for(int c = 0; c < 6; ++c) {
+  for (int c = 0; c < 6; ++c) {
     const auto& patches = surface.chart_embedding(c).patches();
     CHECK(report.charts[c].patches == int(patches.size()));
-    for(const SM::Spline_patch& patch : patches)
+    for (const SM::Spline_patch& patch : patches)
       CHECK((patch.nu() == 7 && patch.nv() == 7 && patch.degree() == 3));
     CHECK(patches[0].support() == SM::Spline_patch::Support{0, 0, 1, 1});
-    if(c == 5) // opposite to the spike
+    if (c == 5) // opposite to the spike
       CHECK(patches.size() == 1);
   }
   const auto& patches = surface.chart_embedding(4).patches();
@@ -101,17 +101,15 @@ TEST_CASE("The errors in the report are those of Delta at the vertices, chart by
   const auto surface = SM::fit_patch_surface(
     map, params::average_delta(1e-3).max_delta(1e-2).patch_fit_report(std::ref(report)));
   const SM::Sphere_atlas atlas;
-  for(int c = 0; c < 6; ++c) {
+  for (int c = 0; c < 6; ++c) {
     double sum = 0, largest = 0;
     int count = 0;
-    for(std::size_t v = 0; v < map.number_of_vertices(); ++v) {
-      if(!atlas.contains(c, map.domain_point(v)))
-        continue;
+    for (std::size_t v = 0; v < map.number_of_vertices(); ++v) {
+      if (!atlas.contains(c, map.domain_point(v))) continue;
       const Vector2d uv = atlas.coordinates(c, map.domain_point(v));
       double blend = 0;
-      for(const auto& w : SM::Partition_of_unity<SM::Sphere_atlas>().weights(map.domain_point(v)))
-        if(w.point.chart == c)
-          blend = w.weight;
+      for (const auto& w : SM::Partition_of_unity<SM::Sphere_atlas>().weights(map.domain_point(v)))
+        if (w.point.chart == c) blend = w.weight;
       const Vector3d misfit = map.point(v) - surface.chart_embedding(c).point(uv);
       const double delta = blend * misfit.norm() / map.diagonal();
       sum += delta;
@@ -149,11 +147,10 @@ TEST_CASE("More patches err less; solving for all coefficients errs far less tha
 {
   const Analytic_map<SM::Torus_atlas> map(bumpy_torus);
   double before = 1;
-  for(const int patches : {1, 3, 8}) {
+  for (const int patches : {1, 3, 8}) {
     const SM::Patch_fit_report all = report_of(map, patches);
     CHECK_FALSE(all.tolerance_reached);
-    for(const auto& chart : all.charts)
-      CHECK(chart.patches == patches);
+    for (const auto& chart : all.charts) CHECK(chart.patches == patches);
     CHECK(all.surface.controls == std::size_t(9 * 49 * patches));
     CHECK(all.surface.charts[3].levels == patches);
     CHECK(mean_of_delta(all) < before / 2);
@@ -176,13 +173,11 @@ TEST_CASE("The errors of the surface are measured at vertices and in faces")
     largest = (std::max)(largest, e);
     ++count;
   };
-  for(std::size_t v = 0; v < map.number_of_vertices(); ++v)
-    add(map.domain_point(v));
-  for(std::size_t f = 0; f < map.number_of_faces(); ++f)
-    for(int k = 0; k < 3; ++k) {
+  for (std::size_t v = 0; v < map.number_of_vertices(); ++v) add(map.domain_point(v));
+  for (std::size_t f = 0; f < map.number_of_faces(); ++f)
+    for (int k = 0; k < 3; ++k) {
       Vector2d p = Vector2d::Zero();
-      for(int l = 0; l < 3; ++l)
-        p += (k == l ? 2. / 3 : 1. / 6) * map.domain_point(map.face(f)[l]);
+      for (int l = 0; l < 3; ++l) p += (k == l ? 2. / 3 : 1. / 6) * map.domain_point(map.face(f)[l]);
       add(p);
     }
   CHECK(report.surface.rms_error == Approx(std::sqrt(square / count)).epsilon(1e-9));
@@ -195,10 +190,10 @@ TEST_CASE("Sizes of patches are options")
 {
   const Analytic_map<SM::Torus_atlas> map(bumpy_torus, 8);
   const auto surface = SM::fit_patch_surface(
-    map, params::spline_degree(2).patch_controls(5).max_patches(2).average_delta(0.)
-           .bump(SM::Smoothstep_bump<1>()));
+    map, params::spline_degree(2).patch_controls(5).max_patches(2).average_delta(0.).bump(
+           SM::Smoothstep_bump<1>()));
   CHECK(surface.smoothness() == 1);
-  for(const SM::Spline_patch& patch : surface.chart_embedding(7).patches())
+  for (const SM::Spline_patch& patch : surface.chart_embedding(7).patches())
     CHECK((patch.nu() == 5 && patch.nv() == 5 && patch.degree() == 2));
 }
 

@@ -52,14 +52,14 @@ struct Watched_mesh {
 
   bool is_unchanged() const
   {
-    bool same = mesh.number_of_vertices() == copy.number_of_vertices() && !mesh.has_garbage()
-             && mesh.number_of_faces() == copy.number_of_faces() && property_names() == names;
+    bool same = mesh.number_of_vertices() == copy.number_of_vertices() && !mesh.has_garbage() &&
+                mesh.number_of_faces() == copy.number_of_faces() && property_names() == names;
     for (const auto h : copy.halfedges())
-      same = same && mesh.next(h) == copy.next(h) && mesh.target(h) == copy.target(h)
-          && mesh.face(h) == copy.face(h);
+      same = same && mesh.next(h) == copy.next(h) && mesh.target(h) == copy.target(h) &&
+             mesh.face(h) == copy.face(h);
     for (const auto v : copy.vertices())
-      same = same && mesh.point(v) == copy.point(v) && mesh.halfedge(v) == copy.halfedge(v)
-          && domain[v] == Domain_point::Constant(double(v));
+      same = same && mesh.point(v) == copy.point(v) && mesh.halfedge(v) == copy.halfedge(v) &&
+             domain[v] == Domain_point::Constant(double(v));
     for (const auto f : copy.faces()) same = same && number[f] == int(f) * int(f);
     return same;
   }
@@ -73,9 +73,8 @@ bool same(const SM::Manifold_map<Atlas>& a, const SM::Manifold_map<Atlas>& b)
 
 inline bool same(const SM::Any_map& a, const SM::Any_map& b)
 {
-  return a.index() == b.index() && std::visit([&b](const auto& map) {
-    return same(map, std::get<std::decay_t<decltype(map)>>(b));
-  }, a);
+  return a.index() == b.index() &&
+         std::visit([&b](const auto& map) { return same(map, std::get<std::decay_t<decltype(map)>>(b)); }, a);
 }
 
 template <class Atlas, class Embedding, class Bump>
@@ -89,7 +88,11 @@ bool same(const SM::Manifold_surface<Atlas, Embedding, Bump>& a,
   return is_same;
 }
 
-inline Triangle_mesh some_sphere() { Random random(4); return random_sphere(40, 100, 0, random); }
+inline Triangle_mesh some_sphere()
+{
+  Random random(4);
+  return random_sphere(40, 100, 0, random);
+}
 inline Triangle_mesh some_torus() { return grid_torus(5, 6, 2); }
 inline Triangle_mesh some_disk() { return without_star(some_sphere(), 3); }
 

@@ -21,7 +21,10 @@ namespace {
 const std::string file = "input";
 
 template <class Contents>
-void check_mesh(const Contents& mesh) { SM::internal::checked_topology(file, mesh); }
+void check_mesh(const Contents& mesh)
+{
+  SM::internal::checked_topology(file, mesh);
+}
 
 void off(const std::string& bytes) { check_mesh(SM::internal::read_off(file, bytes)); }
 void obj(const std::string& bytes) { check_mesh(SM::internal::read_obj(file, bytes)); }
@@ -33,17 +36,19 @@ template <class Atlas>
 void use_map(const SM::Manifold_map<Atlas>& map)
 {
   const auto location = map.to_mesh(map.domain_point(0));
-  if(!(map.to_domain(location) - map.domain_point(0)).allFinite())
-    std::abort();
+  if (!(map.to_domain(location) - map.domain_point(0)).allFinite()) std::abort();
 }
 
 void read_map(const std::string& bytes)
 {
   SM::internal::Ply_file p(file, bytes);
   const std::string atlas = SM::internal::value_of_comment(p, "atlas");
-  if(atlas == "plane") use_map(SM::internal::map_of_ply<SM::Plane_atlas>(p, file));
-  else if(atlas == "sphere") use_map(SM::internal::map_of_ply<SM::Sphere_atlas>(p, file));
-  else if(atlas == "torus") use_map(SM::internal::map_of_ply<SM::Torus_atlas>(p, file));
+  if (atlas == "plane")
+    use_map(SM::internal::map_of_ply<SM::Plane_atlas>(p, file));
+  else if (atlas == "sphere")
+    use_map(SM::internal::map_of_ply<SM::Sphere_atlas>(p, file));
+  else if (atlas == "torus")
+    use_map(SM::internal::map_of_ply<SM::Torus_atlas>(p, file));
 }
 
 template <class Surface>
@@ -57,9 +62,12 @@ template <class Embedding>
 void surface_with(const SM::internal::Json_field& root)
 {
   const std::string atlas = SM::internal::header_of_json(root).atlas;
-  if(atlas == "plane") use_surface<SM::Manifold_surface<SM::Plane_atlas, Embedding>>(root);
-  else if(atlas == "sphere") use_surface<SM::Manifold_surface<SM::Sphere_atlas, Embedding>>(root);
-  else use_surface<SM::Manifold_surface<SM::Torus_atlas, Embedding>>(root);
+  if (atlas == "plane")
+    use_surface<SM::Manifold_surface<SM::Plane_atlas, Embedding>>(root);
+  else if (atlas == "sphere")
+    use_surface<SM::Manifold_surface<SM::Sphere_atlas, Embedding>>(root);
+  else
+    use_surface<SM::Manifold_surface<SM::Torus_atlas, Embedding>>(root);
 }
 
 void surface(const std::string& bytes)
@@ -68,7 +76,7 @@ void surface(const std::string& bytes)
   const SM::internal::Json_field root(file, j);
   try {
     surface_with<SM::Hierarchical_embedding>(root);
-  } catch(const SM::Error&) {
+  } catch (const SM::Error&) {
     surface_with<SM::Patch_stack_embedding>(root);
   }
 }
@@ -79,7 +87,7 @@ void (*reader())(const std::string&)
   const std::map<std::string, void (*)(const std::string&)> readers = {
     {"off", off}, {"obj", obj}, {"stl", stl}, {"ply", ply}, {"map", read_map}, {"surface", surface}};
   const auto found = readers.find(format ? format : "");
-  if(found == readers.end()) {
+  if (found == readers.end()) {
     std::cerr << "FUZZ_FORMAT has to be off, obj, stl, ply, map or surface\n";
     std::exit(2);
   }
@@ -93,7 +101,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static void (*const read)(const std::string&) = reader();
   try {
     read(std::string(reinterpret_cast<const char*>(data), size));
-  } catch(const SM::Error&) {
+  } catch (const SM::Error&) {
   }
   return 0;
 }

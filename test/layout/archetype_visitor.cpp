@@ -4,8 +4,8 @@
 
 #include "../meshes.h"
 
-#include <CGAL/simple_manifolds.h>
 #include <CGAL/Simple_manifolds/IO/read_mesh.h>
+#include <CGAL/simple_manifolds.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -85,8 +85,7 @@ int main()
   bool is_cancelled = false;
   try {
     SM::map_to_sphere(mesh, CGAL::parameters::visitor(std::ref(impatient)));
-  }
-  catch (const Cancelled&) {
+  } catch (const Cancelled&) {
     is_cancelled = true;
   }
   check(is_cancelled, "an exception of the visitor comes out of map_to_sphere");

@@ -38,7 +38,7 @@ Triangle_mesh random_surface(const std::string& surface, Random& random)
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
   }
   base = static_cast<int>(mesh.points.size());
-  const int vertices = std::max(base, n);
+  const int vertices = (std::max)(base, n);
   stack_random_vertices(mesh, base, vertices, random);
   const int flips = random.below(4) == 0 ? 0 : random.below(10 * vertices);
   flip_random_edges(mesh, flips, random);
@@ -54,12 +54,9 @@ void write_off(const std::string& file, const Triangle_mesh& mesh)
 {
   std::ofstream out(file);
   out << std::setprecision(17) << "OFF\n" << mesh.points.size() << ' ' << mesh.triangles.size() << " 0\n";
-  for (const auto& p : mesh.points)
-    out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-  for (const auto& t : mesh.triangles)
-    out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-  if (!out)
-    throw std::runtime_error("cannot write " + file);
+  for (const auto& p : mesh.points) out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  for (const auto& t : mesh.triangles) out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  if (!out) throw std::runtime_error("cannot write " + file);
 }
 
 int run(int argc, char** argv)
@@ -99,16 +96,16 @@ int run(int argc, char** argv)
     try {
       const stress::Figures figures = stress::map_and_check(mesh, energy);
       faces += figures.faces;
-      smallest_area = std::min(smallest_area, figures.smallest_area);
-      round_trip = std::max(round_trip, figures.round_trip);
+      smallest_area = (std::min)(smallest_area, figures.smallest_area);
+      round_trip = (std::max)(round_trip, figures.round_trip);
     } catch (const std::exception& e) {
       ++failed;
       std::cout << "number " << i << ", " << mesh.points.size() << " vertices: " << e.what() << std::endl;
     }
   }
-  std::cout << surface << ", seed " << seed << ": " << count << " surfaces, " << failed << " without a map; " << faces
-            << " faces, smallest area " << smallest_area << ", worst round trip " << round_trip << ", "
-            << static_cast<double>(std::clock()) / CLOCKS_PER_SEC << " s" << std::endl;
+  std::cout << surface << ", seed " << seed << ": " << count << " surfaces, " << failed << " without a map; "
+            << faces << " faces, smallest area " << smallest_area << ", worst round trip " << round_trip
+            << ", " << static_cast<double>(std::clock()) / CLOCKS_PER_SEC << " s" << std::endl;
   return failed != 0;
 }
 

@@ -32,26 +32,24 @@ inline bool is_contractible(const std::vector<std::set<int>>& neighbours, int v,
 inline Triangles contracted(Triangles faces, Random& random)
 {
   int n = 0;
-  for (const auto& t : faces)
-    n = std::max(n, 1 + *std::max_element(t.begin(), t.end()));
+  for (const auto& t : faces) n = (std::max)(n, 1 + *std::max_element(t.begin(), t.end()));
   std::vector<std::set<int>> neighbours(n);
   for (const auto& t : faces)
-    for (int k = 0; k < 3; ++k)
-      neighbours[t[k]].insert({t[(k + 1) % 3], t[(k + 2) % 3]});
+    for (int k = 0; k < 3; ++k) neighbours[t[k]].insert({t[(k + 1) % 3], t[(k + 2) % 3]});
   for (;;) {
     std::vector<std::pair<int, int>> edges;
     for (int v = 0; v < n; ++v)
       for (int w : neighbours[v])
-        if (v < w && is_contractible(neighbours, v, w))
-          edges.emplace_back(v, w);
-    if (edges.empty())
-      break;
+        if (v < w && is_contractible(neighbours, v, w)) edges.emplace_back(v, w);
+    if (edges.empty()) break;
     const auto [v, w] = edges[random.below(static_cast<int>(edges.size()))];
-    faces.erase(std::remove_if(faces.begin(), faces.end(), [v = v, w = w](const auto& t) {
-      return std::count(t.begin(), t.end(), v) && std::count(t.begin(), t.end(), w);
-    }), faces.end());
-    for (auto& t : faces)
-      std::replace(t.begin(), t.end(), w, v);
+    faces.erase(std::remove_if(faces.begin(), faces.end(),
+                               [v = v, w = w](const auto& t) {
+                                 return std::count(t.begin(), t.end(), v) &&
+                                        std::count(t.begin(), t.end(), w);
+                               }),
+                faces.end());
+    for (auto& t : faces) std::replace(t.begin(), t.end(), w, v);
     for (int u : neighbours[w]) {
       neighbours[u].erase(w);
       if (u != v) {
@@ -63,8 +61,7 @@ inline Triangles contracted(Triangles faces, Random& random)
   }
   std::map<int, int> number;
   for (auto& t : faces)
-    for (int& v : t)
-      v = number.emplace(v, static_cast<int>(number.size())).first->second;
+    for (int& v : t) v = number.emplace(v, static_cast<int>(number.size())).first->second;
   return faces;
 }
 
@@ -76,10 +73,8 @@ inline Triangles canonical_form(const Triangles& faces)
   for (const bool is_mirrored : {false, true}) {
     std::map<std::pair<int, int>, int> opposite; // of a half-edge: the third corner of its face
     for (auto t : faces) {
-      if (is_mirrored)
-        std::swap(t[1], t[2]);
-      for (int k = 0; k < 3; ++k)
-        opposite[{t[k], t[(k + 1) % 3]}] = t[(k + 2) % 3];
+      if (is_mirrored) std::swap(t[1], t[2]);
+      for (int k = 0; k < 3; ++k) opposite[{t[k], t[(k + 1) % 3]}] = t[(k + 2) % 3];
     }
     for (const auto& start : opposite) {
       std::map<int, int> number = {{start.first.first, 0}, {start.first.second, 1}};
@@ -94,13 +89,11 @@ inline Triangles canonical_form(const Triangles& faces)
         std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
         form.push_back(t);
         for (const auto& next : {std::make_pair(b, a), std::make_pair(c, b), std::make_pair(a, c)})
-          if (done.insert(next).second)
-            walk.push_back(next);
+          if (done.insert(next).second) walk.push_back(next);
       }
       std::sort(form.begin(), form.end());
       form.erase(std::unique(form.begin(), form.end()), form.end());
-      if (least.empty() || form < least)
-        least = form;
+      if (least.empty() || form < least) least = form;
     }
   }
   return least;

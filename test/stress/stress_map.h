@@ -32,11 +32,9 @@ inline Mesh surface_mesh(const Triangle_mesh& t)
 {
   Mesh mesh;
   std::vector<Mesh::Vertex_index> v;
-  for (const auto& p : t.points)
-    v.push_back(mesh.add_vertex(Point_3(p[0], p[1], p[2])));
+  for (const auto& p : t.points) v.push_back(mesh.add_vertex(Point_3(p[0], p[1], p[2])));
   std::vector<std::vector<Mesh::Vertex_index>> faces;
-  for (const auto& f : t.triangles)
-    faces.push_back({v[f[0]], v[f[1]], v[f[2]]});
+  for (const auto& f : t.triangles) faces.push_back({v[f[0]], v[f[1]], v[f[2]]});
   CGAL::Euler::add_faces(faces, mesh); // add_face() would be quadratic at hubs
   return mesh;
 }
@@ -50,8 +48,7 @@ struct Figures {
 /// The faces, each from its smallest vertex on, in order: equal for equal sets of oriented faces.
 inline std::vector<SM::Triangle> ordered(std::vector<SM::Triangle> faces)
 {
-  for (SM::Triangle& f : faces)
-    std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
+  for (SM::Triangle& f : faces) std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
   std::sort(faces.begin(), faces.end());
   return faces;
 }
@@ -61,33 +58,37 @@ inline std::vector<SM::Triangle> ordered(std::vector<SM::Triangle> faces)
 inline Figures map_and_check(const Triangle_mesh& t, SM::Energy energy = SM::Energy::SYMMETRIC_DIRICHLET)
 {
   const auto require = [](bool is_so, const char* what) {
-    if (!is_so)
-      throw std::logic_error(what);
+    if (!is_so) throw std::logic_error(what);
   };
   Figures figures;
   const SM::Any_map any = SM::map_to_canonical_surface(surface_mesh(t), SM::parameters::energy(energy));
-  std::visit([&](const auto& map) {
-    using Map = std::decay_t<decltype(map)>;
-    require(SM::certify(map.atlas(), map.domain_points(), map.faces()).is_valid(), "the map is not one to one");
-    require(map.number_of_input_vertices() == t.points.size(), "vertices are missing");
-    require(map.number_of_faces() >= t.triangles.size(), "faces are missing");
-    std::vector<SM::Triangle> missing;
-    const auto before = ordered({t.triangles.begin(), t.triangles.end()}), after = ordered(map.faces());
-    std::set_difference(before.begin(), before.end(), after.begin(), after.end(), std::back_inserter(missing));
-    require(missing.size() <= map.number_of_faces() - t.triangles.size(), "faces are others"); // than split ones
-    require(std::equal(t.points.begin(), t.points.end(), map.points().begin()), "vertices have moved");
-    figures.faces = map.number_of_faces();
-    figures.smallest_area = map.certificate().smallest_domain_area;
-    sample::Random_points random;
-    for (int i = 0; i < 20; ++i) {
-      const typename Map::Domain_point p = random.point(map.atlas());
-      figures.round_trip
-        = std::max(figures.round_trip, sample::distance(map.atlas(), p, map.to_domain(map.to_mesh(p))));
-    }
-    const auto v = static_cast<std::size_t>(random.number() * static_cast<double>(t.points.size()));
-    require(map(map.domain_point(v)) == map.point(v), "a vertex is not found");
-    require(figures.round_trip < 1e-12, "a point does not come back");
-  }, any);
+  std::visit(
+    [&](const auto& map) {
+      using Map = std::decay_t<decltype(map)>;
+      require(SM::certify(map.atlas(), map.domain_points(), map.faces()).is_valid(),
+              "the map is not one to one");
+      require(map.number_of_input_vertices() == t.points.size(), "vertices are missing");
+      require(map.number_of_faces() >= t.triangles.size(), "faces are missing");
+      std::vector<SM::Triangle> missing;
+      const auto before = ordered({t.triangles.begin(), t.triangles.end()}), after = ordered(map.faces());
+      std::set_difference(before.begin(), before.end(), after.begin(), after.end(),
+                          std::back_inserter(missing));
+      require(missing.size() <= map.number_of_faces() - t.triangles.size(),
+              "faces are others"); // than split ones
+      require(std::equal(t.points.begin(), t.points.end(), map.points().begin()), "vertices have moved");
+      figures.faces = map.number_of_faces();
+      figures.smallest_area = map.certificate().smallest_domain_area;
+      sample::Random_points random;
+      for (int i = 0; i < 20; ++i) {
+        const typename Map::Domain_point p = random.point(map.atlas());
+        figures.round_trip =
+          (std::max)(figures.round_trip, sample::distance(map.atlas(), p, map.to_domain(map.to_mesh(p))));
+      }
+      const auto v = static_cast<std::size_t>(random.number() * static_cast<double>(t.points.size()));
+      require(map(map.domain_point(v)) == map.point(v), "a vertex is not found");
+      require(figures.round_trip < 1e-12, "a point does not come back");
+    },
+    any);
   return figures;
 }
 

@@ -17,18 +17,17 @@ using Eigen::Vector3d;
 
 constexpr double pi = 3.14159265358979323846;
 
-inline Triangle_mesh scaled(Triangle_mesh mesh, const Vector3d& factor, const Vector3d& offset = Vector3d::Zero())
+inline Triangle_mesh scaled(Triangle_mesh mesh, const Vector3d& factor,
+                            const Vector3d& offset = Vector3d::Zero())
 {
-  for (auto& p : mesh.points)
-    p = p.cwiseProduct(factor) + offset;
+  for (auto& p : mesh.points) p = p.cwiseProduct(factor) + offset;
   return mesh;
 }
 
 template <class Position> // (point) -> point
 Triangle_mesh moved(Triangle_mesh mesh, const Position& position)
 {
-  for (auto& p : mesh.points)
-    p = position(p);
+  for (auto& p : mesh.points) p = position(p);
   return mesh;
 }
 
@@ -55,8 +54,7 @@ inline void extrude(Triangle_mesh& mesh, std::size_t face, int rings, double len
 {
   auto t = mesh.triangles[face];
   Vector3d normal = (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
-  if (normal.norm() > 0)
-    normal.normalize();
+  if (normal.norm() > 0) normal.normalize();
   for (int i = 0; i < rings; ++i) {
     const int n = static_cast<int>(mesh.points.size());
     const Vector3d centre = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3;
@@ -75,8 +73,7 @@ inline void extrude(Triangle_mesh& mesh, std::size_t face, int rings, double len
 inline Triangle_mesh octopus(int rings)
 {
   Triangle_mesh mesh = octahedron();
-  for (std::size_t f = 0; f < 8; ++f)
-    extrude(mesh, f, rings, 0.5, 0.98);
+  for (std::size_t f = 0; f < 8; ++f) extrude(mesh, f, rings, 0.5, 0.98);
   return mesh;
 }
 
@@ -85,7 +82,8 @@ inline Triangle_mesh extrusion_tree(int branches)
   Triangle_mesh mesh = tetrahedron();
   Random random(11);
   for (int i = 0; i < branches; ++i)
-    extrude(mesh, static_cast<std::size_t>(random.below(static_cast<int>(mesh.triangles.size()))), 4, 0.7, 0.8);
+    extrude(mesh, static_cast<std::size_t>(random.below(static_cast<int>(mesh.triangles.size()))), 4, 0.7,
+            0.8);
   return mesh;
 }
 
@@ -167,8 +165,7 @@ inline Triangle_mesh spikes(int n, double length)
   for (auto& p : mesh.points) {
     const double angle = pi * (p.x() + 0.5) / n;
     p = Vector3d(std::cos(angle), std::sin(angle) * p.y(), std::sin(angle) * p.z());
-    if (random.below(5) == 0)
-      p *= length;
+    if (random.below(5) == 0) p *= length;
   }
   return mesh;
 }
@@ -191,8 +188,8 @@ inline Triangle_mesh knotted_torus(int n, int m, int p, int q)
   Triangle_mesh mesh = grid_torus(n, m, 0);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < m; ++j)
-      mesh.points[static_cast<std::size_t>(i) * m + j]
-        = knot_point(static_cast<double>(i) / n, std::cos(2 * pi * j / m), std::sin(2 * pi * j / m), p, q);
+      mesh.points[static_cast<std::size_t>(i) * m + j] =
+        knot_point(static_cast<double>(i) / n, std::cos(2 * pi * j / m), std::sin(2 * pi * j / m), p, q);
   return mesh;
 }
 
@@ -226,8 +223,8 @@ inline Triangle_mesh ring_torus(int n, int m, double R, double r, int twist = 0)
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < m; ++j) {
       const double u = 2 * pi * i / n, v = 2 * pi * (j + static_cast<double>(m) * twist * i / n) / m;
-      mesh.points[static_cast<std::size_t>(i) * m + j]
-        = Vector3d((R + r * std::cos(v)) * std::cos(u), (R + r * std::cos(v)) * std::sin(u), r * std::sin(v));
+      mesh.points[static_cast<std::size_t>(i) * m + j] =
+        Vector3d((R + r * std::cos(v)) * std::cos(u), (R + r * std::cos(v)) * std::sin(u), r * std::sin(v));
     }
   return mesh;
 }
@@ -238,8 +235,7 @@ inline Triangle_mesh grid_disk(int n, int m)
   Triangle_mesh mesh;
   const auto at = [m](int i, int j) { return i * (m + 1) + j; };
   for (int i = 0; i <= n; ++i)
-    for (int j = 0; j <= m; ++j)
-      mesh.points.emplace_back(i, j, 0);
+    for (int j = 0; j <= m; ++j) mesh.points.emplace_back(i, j, 0);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < m; ++j) {
       mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
@@ -255,10 +251,8 @@ inline Triangle_mesh fan_disk(int n) { return without_star(bipyramid(n), n + 1);
 inline Triangle_mesh polygon_fan(int n)
 {
   Triangle_mesh mesh;
-  for (int i = 0; i < n; ++i)
-    mesh.points.emplace_back(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0);
-  for (int i = 1; i + 1 < n; ++i)
-    mesh.triangles.push_back({0, i, i + 1});
+  for (int i = 0; i < n; ++i) mesh.points.emplace_back(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0);
+  for (int i = 1; i + 1 < n; ++i) mesh.triangles.push_back({0, i, i + 1});
   return mesh;
 }
 
@@ -329,16 +323,16 @@ inline std::vector<Case> sphere_cases()
     {"offset 1e8", false, [=] { return scaled(octopus(20), tens(1, 1, 1), tens(1e8, 1e8, 1e8)); }},
     {"hub of valence 5000", false, [] { return with_hub(octahedron(), 5000); }},
     {"hub of valence 100000", true, [] { return with_hub(octahedron(), 100000); }},
-    {"offset 1e8 of coordinates of 1e-150", false, [=] {
-      return scaled(octopus(20), tens(1e-150, 1e-150, 1e-150), tens(1e8, 1e8, 1e8));
-    }},
+    {"offset 1e8 of coordinates of 1e-150", false,
+     [=] { return scaled(octopus(20), tens(1e-150, 1e-150, 1e-150), tens(1e8, 1e8, 1e8)); }},
     {"coordinates of 1e150 and 1e-150", false, [=] { return scaled(octopus(20), tens(1e150, 1, 1e-150)); }},
     {"tube knotted to a trefoil", false, [] { return knotted(tube(600, 6), 600, 2, 3); }},
     {"tube knotted (7,11), 20000 rings", true, [] { return knotted(tube(20000, 6), 20000, 7, 11); }},
-    {"20 flips per vertex", false, [] {
-      Random random(23);
-      return random_sphere(2000, 40000, 0, random);
-    }},
+    {"20 flips per vertex", false,
+     [] {
+       Random random(23);
+       return random_sphere(2000, 40000, 0, random);
+     }},
   };
 }
 
@@ -363,26 +357,25 @@ inline std::vector<Case> torus_cases()
     {"sphere with a thin handle", false, [] { return with_handle(spikes(30, 1), 0, 900, 300); }},
     {"sphere with a handle of 10000 rings", true, [] { return with_handle(spikes(30, 1), 0, 900, 10000); }},
     {"stacked, then a handle", false, [] { return with_handle(stacked(1500, Order::RANDOM), 0, 2000, 3); }},
-    {"20 flips per vertex", false, [] {
-      Random random(29);
-      return random_torus(40, 40, 32000, 0, random);
-    }},
-    {"coordinates of 1e150", false, [] {
-      return scaled(ring_torus(40, 20, 3, 1), Vector3d::Constant(1e150));
-    }},
-    {"coordinates of 1e-150", false, [] {
-      return scaled(ring_torus(40, 20, 3, 1), Vector3d::Constant(1e-150));
-    }},
-    {"offset 1e8", false, [] {
-      return scaled(ring_torus(40, 20, 3, 1), Vector3d::Ones(), Vector3d::Constant(1e8));
-    }},
+    {"20 flips per vertex", false,
+     [] {
+       Random random(29);
+       return random_torus(40, 40, 32000, 0, random);
+     }},
+    {"coordinates of 1e150", false,
+     [] { return scaled(ring_torus(40, 20, 3, 1), Vector3d::Constant(1e150)); }},
+    {"coordinates of 1e-150", false,
+     [] { return scaled(ring_torus(40, 20, 3, 1), Vector3d::Constant(1e-150)); }},
+    {"offset 1e8", false,
+     [] { return scaled(ring_torus(40, 20, 3, 1), Vector3d::Ones(), Vector3d::Constant(1e8)); }},
     {"all collinear", false, [] { return scaled(ring_torus(40, 20, 3, 1), Vector3d::UnitX()); }},
     {"vertices on a 3 x 3 x 3 grid", false, [] { return with_random_points(grid_torus(25, 25, 3), 2); }},
-    {"with a tail", false, [] {
-      Triangle_mesh mesh = grid_torus(30, 30, 0);
-      extrude(mesh, 0, 300, 0.2, 0.99);
-      return mesh;
-    }},
+    {"with a tail", false,
+     [] {
+       Triangle_mesh mesh = grid_torus(30, 30, 0);
+       extrude(mesh, 0, 300, 0.2, 0.99);
+       return mesh;
+     }},
     {"all vertices equal", false, [] { return with_random_points(grid_torus(25, 25, 3), 3); }},
     {"random positions", false, [] { return with_random_points(grid_torus(25, 25, 3), 0); }},
     {"vertices over 20 decades", false, [] { return with_random_points(grid_torus(25, 25, 3), 1); }},
@@ -401,10 +394,11 @@ inline std::vector<Case> disk_cases()
     {"fan of valence 100000", true, [] { return fan_disk(100000); }},
     {"bottle knotted to a trefoil", false, [] { return knotted(bottle(600, 6), 600, 2, 3); }},
     {"rectangle of aspect 1e8", false, [] { return scaled(grid_disk(30, 30), Vector3d(1e8, 1, 1)); }},
-    {"20 flips per vertex", false, [=] {
-      Random random(31);
-      return minus_star(random_sphere(1500, 30000, 0, random), 5);
-    }},
+    {"20 flips per vertex", false,
+     [=] {
+       Random random(31);
+       return minus_star(random_sphere(1500, 30000, 0, random), 5);
+     }},
     {"coordinates of 1e150", false, [] { return scaled(bottle(30, 8), Vector3d::Constant(1e150)); }},
     {"coordinates of 1e-150", false, [] { return scaled(bottle(30, 8), Vector3d::Constant(1e-150)); }},
     {"offset 1e8", false, [] { return scaled(bottle(30, 8), Vector3d::Ones(), Vector3d::Constant(1e8)); }},
@@ -422,7 +416,8 @@ inline std::vector<Case> disk_cases()
     {"octopus minus the star of a tip", false, [=] { return minus_star(octopus(60), 6 + 3 * 60 - 1); }},
     {"bipyramid minus a star", false, [=] { return minus_star(bipyramid(1000), 5); }},
     {"stacked at random minus a star", false, [=] { return minus_star(stacked(2500, Order::RANDOM), 0); }},
-    {"stacked, 50000 faces, minus a star", true, [=] { return minus_star(stacked(25000, Order::RANDOM), 0); }},
+    {"stacked, 50000 faces, minus a star", true,
+     [=] { return minus_star(stacked(25000, Order::RANDOM), 0); }},
     {"spikes minus a star", false, [=] { return minus_star(spikes(40, 100), 7); }},
     {"all vertices equal", false, [=] { return with_random_points(bottle(40, 12), 3); }},
     {"random positions", false, [=] { return with_random_points(bottle(40, 12), 0); }},

@@ -18,8 +18,7 @@ namespace {
 void check_all(const std::vector<stress::Case>& cases, bool are_big)
 {
   for (const auto& c : cases) {
-    if (c.is_big != are_big)
-      continue;
+    if (c.is_big != are_big) continue;
     CAPTURE(c.name);
     const Triangle_mesh mesh = c.make();
     const std::clock_t start = std::clock();
@@ -29,9 +28,9 @@ void check_all(const std::vector<stress::Case>& cases, bool are_big)
     CHECK(figures.faces >= mesh.triangles.size());
     CHECK(figures.smallest_area > 0);
     if (std::getenv("SIMPLE_MANIFOLDS_STRESS_TABLE"))
-      std::cout << std::left << std::setw(45) << c.name << std::right << std::setw(8) << figures.faces << " faces "
-                << std::setw(8) << std::setprecision(3) << seconds << " s, smallest area " << figures.smallest_area
-                << ", round trip " << figures.round_trip << std::endl;
+      std::cout << std::left << std::setw(45) << c.name << std::right << std::setw(8) << figures.faces
+                << " faces " << std::setw(8) << std::setprecision(3) << seconds << " s, smallest area "
+                << figures.smallest_area << ", round trip " << figures.round_trip << std::endl;
   }
 }
 

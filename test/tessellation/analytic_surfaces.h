@@ -53,8 +53,10 @@ public:
     const double cu = std::cos(u), su = std::sin(u), cv = std::cos(v), sv = std::sin(v), w = R_ + r_ * cv;
     using V = Eigen::Vector3d;
     return {V(w * cu, w * su, r_ * sv),
-            -a * V(-r_ * sv * cu, -r_ * sv * su, r_ * cv), a * V(-w * su, w * cu, 0),
-            a * a * V(-r_ * cv * cu, -r_ * cv * su, -r_ * sv), -a * a * V(r_ * sv * su, -r_ * sv * cu, 0),
+            -a * V(-r_ * sv * cu, -r_ * sv * su, r_ * cv),
+            a * V(-w * su, w * cu, 0),
+            a * a * V(-r_ * cv * cu, -r_ * cv * su, -r_ * sv),
+            -a * a * V(r_ * sv * su, -r_ * sv * cu, 0),
             a * a * V(-w * cu, -w * su, 0)};
   }
 
@@ -73,7 +75,8 @@ public:
   SM::Jet jet(const Eigen::Vector2d& x) const
   {
     using V = Eigen::Vector3d;
-    return {V(x[0], x[1], x.squaredNorm() / 2), V(1, 0, x[0]), V(0, 1, x[1]), V(0, 0, 1), V(0, 0, 0), V(0, 0, 1)};
+    return {
+      V(x[0], x[1], x.squaredNorm() / 2), V(1, 0, x[0]), V(0, 1, x[1]), V(0, 0, 1), V(0, 0, 0), V(0, 0, 1)};
   }
 };
 

@@ -23,7 +23,7 @@ double error(int resolution, const Function& f, const std::vector<typename Atlas
 {
   const auto textures = SM::bake<Atlas>(resolution, f);
   double worst = 0;
-  for (const auto& p : points) worst = std::max(worst, std::abs(textures.sample(p)[0] - f(p)));
+  for (const auto& p : points) worst = (std::max)(worst, std::abs(textures.sample(p)[0] - f(p)));
   return worst;
 }
 
@@ -61,9 +61,9 @@ void check_continuity_at_chart_borders()
       for (double x = 0.005; x < 1; x += 0.01)
         for (double border : {0., 1.}) {
           const double a = border - distance, b = border + distance;
-          worst = std::max({worst, std::abs(sample(c, a, x) - sample(c, b, x)),
-                            std::abs(sample(c, x, a) - sample(c, x, b))});
-          variation = std::max(variation, std::abs(sample(c, border, x) - 0.5));
+          worst = (std::max)({worst, std::abs(sample(c, a, x) - sample(c, b, x)),
+                              std::abs(sample(c, x, a) - sample(c, x, b))});
+          variation = (std::max)(variation, std::abs(sample(c, border, x) - 0.5));
         }
     CHECK(worst < 10 * n * distance + 1e-14); // n: the slope between two texels
   }
@@ -84,7 +84,7 @@ double disagreement(int resolution, const Function& f)
           if (atlas.contains(c, p)) {
             const auto own = textures.sample(SM::Chart_point{tile, atlas.coordinates(tile, p)});
             const auto other = textures.sample(SM::Chart_point{c, atlas.coordinates(c, p)});
-            worst = std::max(worst, std::abs(own[0] - other[0]));
+            worst = (std::max)(worst, std::abs(own[0] - other[0]));
           }
   return worst;
 }
@@ -123,10 +123,10 @@ TEST_CASE("a lookup is continuous across the borders of tiles, where a lookup in
   for (double t = -0.5; t < 0.5; t += 0.01) { // charts 2 and 4 meet at x = z
     const Eigen::Vector3d p = Eigen::Vector3d(1 + 1e-12, t, 1).normalized(), q(p.z(), t * p.z(), p.x());
     CHECK((atlas.tile(p) == 2 && atlas.tile(q) == 4));
-    jump = std::max(jump, std::abs(textures.sample(p)[0] - textures.sample(q)[0]));
-    jump_of_images = std::max(jump_of_images,
-                              std::abs(textures.sample(SM::Chart_point{2, atlas.coordinates(2, p)})[0]
-                                       - textures.sample(SM::Chart_point{4, atlas.coordinates(4, q)})[0]));
+    jump = (std::max)(jump, std::abs(textures.sample(p)[0] - textures.sample(q)[0]));
+    jump_of_images =
+      (std::max)(jump_of_images, std::abs(textures.sample(SM::Chart_point{2, atlas.coordinates(2, p)})[0] -
+                                          textures.sample(SM::Chart_point{4, atlas.coordinates(4, q)})[0]));
   }
   CHECK(jump < 1e-9);
   CHECK(jump_of_images > 0.1);

@@ -61,8 +61,8 @@ TEMPLATE_TEST_CASE("faces are split until each has at most n vertices of the mes
       for (const auto& x : map.domain_points()) {
         if constexpr (TestType::genus == 1) // a far point has no copy near the whole face
           if ((TestType::lift(p, x) - p).cwiseAbs().maxCoeff() > 0.3) continue;
-        const int least = std::min({atlas.orientation(p, q, x), atlas.orientation(q, r, x),
-                                    atlas.orientation(r, p, x)});
+        const int least =
+          (std::min)({atlas.orientation(p, q, x), atlas.orientation(q, r, x), atlas.orientation(r, p, x)});
         inside += least > 0;
         touching += least >= 0;
       }

@@ -44,8 +44,8 @@ TEST_CASE("the tiles cover the sphere once, with either borders and at any finen
       for (const auto& [a, b, c, d] : grid.cells()) {
         sum += area(p[a], p[b], p[c]) + area(p[a], p[c], p[d]);
         const SM::Sphere_atlas atlas; // the cells are convex: both diagonals cut them
-        negative += atlas.orientation(p[a], p[b], p[c]) <= 0 || atlas.orientation(p[a], p[c], p[d]) <= 0
-                 || atlas.orientation(p[a], p[b], p[d]) <= 0 || atlas.orientation(p[b], p[c], p[d]) <= 0;
+        negative += atlas.orientation(p[a], p[b], p[c]) <= 0 || atlas.orientation(p[a], p[c], p[d]) <= 0 ||
+                    atlas.orientation(p[a], p[b], p[d]) <= 0 || atlas.orientation(p[b], p[c], p[d]) <= 0;
         for (const auto& side : {std::pair(a, b), std::pair(b, c), std::pair(c, d), std::pair(d, a)})
           ++sides[side];
       }
@@ -73,8 +73,8 @@ TEST_CASE("averaged borders lie between a line of the one chart and a line of th
           next_centre[(axis + 1) % 3] = next_sign;
           const auto a = atlas.coordinates(atlas.tile(centre), p);
           const auto b = atlas.coordinates(atlas.tile(next_centre), q);
-          off_line = std::max({off_line, std::abs(std::abs(a[1] - .5) - .25),
-                               std::abs(std::abs(b[0] - .5) - .25)});
+          off_line =
+            (std::max)({off_line, std::abs(std::abs(a[1] - .5) - .25), std::abs(std::abs(b[0] - .5) - .25)});
           CHECK(std::abs(a[0] - .5) <= .25 + 1e-15);
           CHECK(std::abs(b[1] - .5) <= .25 + 1e-15);
           CHECK(p[axis] * sign > 0.5); // on the sides of the two tiles that face each other
@@ -101,7 +101,7 @@ TEST_CASE("what the paper leaves open: its averages do not meet at the corners, 
   double largest = 0;
   for (int i = 0; i <= 100; ++i) {
     const Vector p = SM::internal::averaged_edge_point(atlas, 0, 1, 1, i / 100.);
-    largest = std::max(largest, std::asin(std::abs(p.x() - p.y()) / std::sqrt(2.)));
+    largest = (std::max)(largest, std::asin(std::abs(p.x() - p.y()) / std::sqrt(2.)));
   }
   CHECK(largest == Approx(5.625 * degree));
 
@@ -127,8 +127,8 @@ TEST_CASE("averaged tiles are turned into each other by turning the axes")
     for (int i = 0; i <= n; ++i)
       for (int j = 0; j <= n; ++j) {
         const Vector p = first.point(i, j), q = second.point(i, j), r = third.point(i, j);
-        difference = std::max({difference, (Vector(p.y(), p.z(), p.x()) - q).norm(),
-                               (Vector(p.z(), p.x(), p.y()) - r).norm()});
+        difference = (std::max)(
+          {difference, (Vector(p.y(), p.z(), p.x()) - q).norm(), (Vector(p.z(), p.x(), p.y()) - r).norm()});
       }
     CHECK(difference < 1e-15);
   }
@@ -149,7 +149,8 @@ TEST_CASE("tiles of the torus are exactly [1/4,3/4]^2 in their charts")
   for (int tile = 0; tile < 9; ++tile)
     for (int s : {0, 1})
       for (int t : {0, 1})
-        error = std::max(error, (atlas.coordinates(tile, atlas.tile_point(tile, s, t))
-                                 - Eigen::Vector2d(.25 + s / 2., .25 + t / 2.)).norm());
+        error = (std::max)(error, (atlas.coordinates(tile, atlas.tile_point(tile, s, t)) -
+                                   Eigen::Vector2d(.25 + s / 2., .25 + t / 2.))
+                                    .norm());
   CHECK(error < 1e-15);
 }

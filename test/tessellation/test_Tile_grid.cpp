@@ -26,7 +26,8 @@ std::map<std::pair<int, int>, int> sides(const Grid& grid)
 
 } // namespace
 
-TEMPLATE_TEST_CASE("the cells form one closed surface of the right genus", "", SM::Sphere_atlas, SM::Torus_atlas)
+TEMPLATE_TEST_CASE("the cells form one closed surface of the right genus", "", SM::Sphere_atlas,
+                   SM::Torus_atlas)
 {
   for (int n : {1, 2, 3, 7, 16, 49}) {
     const SM::Tile_grid<TestType> grid(n);
@@ -39,7 +40,8 @@ TEMPLATE_TEST_CASE("the cells form one closed surface of the right genus", "", S
     const auto count = sides(grid);
     CHECK(count.size() == 4 * grid.cells().size()); // none twice: consistent orientation
     bool is_closed = true;
-    for (const auto& side : count) is_closed = is_closed && count.count({side.first.second, side.first.first}) == 1;
+    for (const auto& side : count)
+      is_closed = is_closed && count.count({side.first.second, side.first.first}) == 1;
     CHECK(is_closed);
     const int euler = vertices - int(count.size()) / 2 + int(grid.cells().size());
     CHECK(euler == 2 - 2 * TestType::genus);
@@ -82,7 +84,7 @@ TEMPLATE_TEST_CASE("cells are positive, in their tile, and chart points are the 
     auto difference = (q - p[v]).eval();
     if (TestType::genus == 1)
       for (int k = 0; k < difference.size(); ++k) difference[k] -= std::round(difference[k]);
-    error = std::max(error, difference.norm());
+    error = (std::max)(error, difference.norm());
   }
   CHECK(error < 1e-14);
 }

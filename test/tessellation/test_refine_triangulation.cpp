@@ -47,7 +47,7 @@ double chord_error(const Surface& surface, const Triangulation<Surface>& t, int 
       if (k % 4 == 0) b = 0; // on an edge
       const auto& v = t.triangles()[f];
       const Kernel::Triangle_3 triangle(corner[v[0]], corner[v[1]], corner[v[2]]);
-      largest = std::max(largest, CGAL::squared_distance(point(t.point(f, {1 - a - b, a, b})), triangle));
+      largest = (std::max)(largest, CGAL::squared_distance(point(t.point(f, {1 - a - b, a, b})), triangle));
     }
   return std::sqrt(largest);
 }
@@ -152,6 +152,8 @@ TEST_CASE("an impossible criterion ends: at one point by the level, everywhere b
   CHECK(is_conforming(t));
 
   Square u{SM::Tile_grid<SM::Plane_atlas>(1)};
-  CHECK_FALSE(SM::refine_triangulation(u, [](const Square&, int) { return 2.; }, 1000).is_fine_enough);
+  CHECK_FALSE(SM::refine_triangulation(
+                u, [](const Square&, int) { return 2.; }, 1000)
+                .is_fine_enough);
   CHECK(u.number_of_faces() <= 1000);
 }

@@ -82,9 +82,9 @@ TEST_CASE("the distance to a triangle is the least of those to many of its point
     const int n = 60;
     for (int i = 0; i <= n; ++i)
       for (int j = 0; i + j <= n; ++j)
-        least = std::min(least, (x - (i * a + j * b + (n - i - j) * c) / n).norm());
-    above = std::max(above, d - least);
-    below = std::max(below, least - d);
+        least = (std::min)(least, (x - (i * a + j * b + (n - i - j) * c) / n).norm());
+    above = (std::max)(above, d - least);
+    below = (std::max)(below, least - d);
   }
   CHECK(above < 1e-14);
   CHECK(below < 3.5 / 60); // the points are so far apart
@@ -123,9 +123,11 @@ TEST_CASE("edges are measured in space")
   for (int f = 0; f < t.number_of_faces(); ++f) {
     double longest = 0;
     for (int k = 0; k < 3; ++k)
-      longest = std::max(longest, (Vector(1, 2, 3).asDiagonal() * (t.domain_points()[t.triangles()[f][k]]
-                                   - t.domain_points()[t.triangles()[f][(k + 1) % 3]])).norm());
-    error = std::max(error, std::abs(excess[f] - longest / 0.5));
+      longest = (std::max)(
+        longest, (Vector(1, 2, 3).asDiagonal() *
+                  (t.domain_points()[t.triangles()[f][k]] - t.domain_points()[t.triangles()[f][(k + 1) % 3]]))
+                   .norm());
+    error = (std::max)(error, std::abs(excess[f] - longest / 0.5));
   }
   CHECK(error < 1e-14);
 }

@@ -116,13 +116,13 @@ TEST_CASE("a tessellated disk has one border through the corners of the square")
   CHECK(euler_characteristic(mesh) == 1);
   int border = 0, corners = 0;
   for (auto h : halfedges(mesh)) border += is_border(h, mesh);
-  for (const Point& p : mesh.points())
-    corners += (p.x() == 0 || p.x() == 1) && (p.y() == 0 || p.y() == 1);
+  for (const Point& p : mesh.points()) corners += (p.x() == 0 || p.x() == 1) && (p.y() == 0 || p.y() == 1);
   CHECK(border == 40);
   CHECK(corners == 4);
 }
 
-TEST_CASE("Gauss-Bonnet: the total curvature is 4 pi on a sphere, 0 on a torus, the spherical image on a disk")
+TEST_CASE(
+  "Gauss-Bonnet: the total curvature is 4 pi on a sphere, 0 on a torus, the spherical image on a disk")
 {
   CHECK(total_curvature(ellipsoid(Eigen::Vector3d(1, 2, 3)), 64) == Approx(4 * pi).epsilon(1e-3));
   CHECK(std::abs(total_curvature(ring(3, 1), 64)) < 1e-4 * 8 * pi); // |K| integrates to 8 pi
@@ -138,17 +138,19 @@ TEST_CASE("normals are exact, and agree with the triangles")
   auto normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
   auto domain = mesh.add_property_map<Mesh::Vertex_index, Eigen::Vector3d>("v:domain").first;
   auto where = mesh.add_property_map<Mesh::Vertex_index, SM::Chart_point>("v:where").first;
-  SM::tessellate(surface, mesh, SM::parameters::subdivisions(20).normal_map(normals).chart_point_map(where)
-                                  .domain_point_map(domain));
+  SM::tessellate(
+    surface, mesh,
+    SM::parameters::subdivisions(20).normal_map(normals).chart_point_map(where).domain_point_map(domain));
   double normal_error = 0, position_error = 0, chart_error = 0;
   for (auto v : vertices(mesh)) {
     const Eigen::Vector3d p = domain[v];
     Eigen::Vector3d n(p.x(), p.y() / 2, p.z() / 3); // gradient of the implicit equation
     n.normalize();
-    normal_error = std::max(normal_error, (n - Eigen::Vector3d(normals[v].x(), normals[v].y(), normals[v].z())).norm());
+    normal_error =
+      (std::max)(normal_error, (n - Eigen::Vector3d(normals[v].x(), normals[v].y(), normals[v].z())).norm());
     const Point x = mesh.point(v);
-    position_error = std::max(position_error, (Eigen::Vector3d(x.x(), x.y() / 2, x.z() / 3) - p).norm());
-    chart_error = std::max(chart_error, (SM::Sphere_atlas().point(where[v]) - p).norm());
+    position_error = (std::max)(position_error, (Eigen::Vector3d(x.x(), x.y() / 2, x.z() / 3) - p).norm());
+    chart_error = (std::max)(chart_error, (SM::Sphere_atlas().point(where[v]) - p).norm());
   }
   CHECK(normal_error < 1e-13);
   CHECK(position_error < 1e-13);
@@ -157,7 +159,7 @@ TEST_CASE("normals are exact, and agree with the triangles")
   double worst = 1;
   for (auto f : faces(mesh)) {
     const Vector n = PMP::compute_face_normal(f, mesh);
-    for (auto v : vertices_around_face(halfedge(f, mesh), mesh)) worst = std::min(worst, n * normals[v]);
+    for (auto v : vertices_around_face(halfedge(f, mesh), mesh)) worst = (std::min)(worst, n * normals[v]);
   }
   CHECK(worst > 0.95);
 }
@@ -208,8 +210,9 @@ TEST_CASE("an exception on the way leaves the mesh with the elements that it had
   const auto check = [&](auto mesh) {
     SM::tessellate(sphere, mesh, SM::parameters::subdivisions(3));
     for (int n : {0, 1, 30, 55}) {
-      CHECK_THROWS_AS(SM::tessellate(sphere, mesh, SM::parameters::subdivisions(3).domain_point_map(Throwing_map{&n})),
-                      std::bad_alloc);
+      CHECK_THROWS_AS(
+        SM::tessellate(sphere, mesh, SM::parameters::subdivisions(3).domain_point_map(Throwing_map{&n})),
+        std::bad_alloc);
       CHECK(mesh.is_valid());
       CHECK(vertices(mesh).size() == 56);
       CHECK(faces(mesh).size() == 108);
@@ -271,15 +274,16 @@ TEST_CASE("an adaptive mesh fills the property maps too")
   auto normals = mesh.add_property_map<Mesh::Vertex_index, Vector>("v:normal").first;
   auto domain = mesh.add_property_map<Mesh::Vertex_index, Eigen::Vector3d>("v:domain").first;
   auto where = mesh.add_property_map<Mesh::Vertex_index, SM::Chart_point>("v:where").first;
-  SM::tessellate(surface, mesh, SM::parameters::chord_error(1e-3).normal_map(normals).chart_point_map(where)
-                                  .domain_point_map(domain));
+  SM::tessellate(
+    surface, mesh,
+    SM::parameters::chord_error(1e-3).normal_map(normals).chart_point_map(where).domain_point_map(domain));
   double error = 0;
   for (auto v : vertices(mesh)) {
     const Eigen::Vector3d p = domain[v];
     const Eigen::Vector3d n = Eigen::Vector3d(p.x(), p.y() / 2, p.z() / 3).normalized();
-    error = std::max({error, (n - Eigen::Vector3d(normals[v].x(), normals[v].y(), normals[v].z())).norm(),
-                      (SM::Sphere_atlas().point(where[v]) - p).norm(),
-                      std::abs(mesh.point(v).z() - 3 * p.z())});
+    error =
+      (std::max)({error, (n - Eigen::Vector3d(normals[v].x(), normals[v].y(), normals[v].z())).norm(),
+                  (SM::Sphere_atlas().point(where[v]) - p).norm(), std::abs(mesh.point(v).z() - 3 * p.z())});
   }
   CHECK(mesh.number_of_faces() > 1000);
   CHECK(error < 1e-13);
@@ -304,8 +308,8 @@ TEST_CASE("all criteria together hold, and each of them counts")
   for (auto e : edges(mesh)) {
     const Point p = mesh.point(source(e, mesh)), q = mesh.point(target(e, mesh));
     const double l = std::sqrt(CGAL::squared_distance(p, q));
-    longest = std::max(longest, l);
-    shortest = std::min(shortest, l);
+    longest = (std::max)(longest, l);
+    shortest = (std::min)(shortest, l);
   }
   CHECK(longest <= 0.05 * diagonal);
   CHECK(shortest < 0.1 / 16); // five levels below a cell of the start grid
@@ -322,8 +326,9 @@ TEST_CASE("parameters of the start grid and the limit of faces")
   SM::tessellate(surface, coarse, SM::parameters::chord_error(1.).subdivisions(2));
   CHECK(coarse.number_of_faces() == 72);
   SM::Tessellation_report report;
-  SM::tessellate(surface, limited, SM::parameters::edge_length(1e-3).max_faces(std::size_t(2000))
-                                     .tessellation_report(std::ref(report)));
+  SM::tessellate(
+    surface, limited,
+    SM::parameters::edge_length(1e-3).max_faces(std::size_t(2000)).tessellation_report(std::ref(report)));
   CHECK(limited.number_of_faces() <= 2000);
   CHECK_FALSE(report.is_fine_enough);
   CHECK(CGAL::is_closed(limited));

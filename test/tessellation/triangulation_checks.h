@@ -4,7 +4,7 @@
 #define SIMPLE_MANIFOLDS_TEST_TRIANGULATION_CHECKS_H
 
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/domain_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/domain_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 
@@ -21,14 +21,16 @@ template <class Atlas>
 bool is_conforming(const SM::Domain_triangulation<Atlas>& t)
 {
   const auto topology = SM::topology(t.number_of_vertices(), t.triangles());
-  if (topology.components != 1 || topology.isolated_vertices != 0 || topology.euler_characteristic
-      != (Atlas::is_closed ? 2 - 2 * Atlas::genus : 1) || topology.border_loops != !Atlas::is_closed)
+  if (topology.components != 1 || topology.isolated_vertices != 0 ||
+      topology.euler_characteristic != (Atlas::is_closed ? 2 - 2 * Atlas::genus : 1) ||
+      topology.border_loops != !Atlas::is_closed)
     return false;
   std::map<std::pair<int, int>, int> sides;
   for (const auto& f : t.triangles())
     for (int k = 0; k < 3; ++k) ++sides[{f[k], f[(k + 1) % 3]}];
   for (const auto& side : sides)
-    if (side.second != 1) return false;
+    if (side.second != 1)
+      return false;
     else if (sides.count({side.first.second, side.first.first}) == 0) {
       const auto &p = t.domain_points()[side.first.first], &q = t.domain_points()[side.first.second];
       bool is_on_border = false;
@@ -49,7 +51,8 @@ double smallest_angle(const SM::Domain_triangulation<Atlas>& t, bool green)
       for (int k = 0; k < 3; ++k) {
         const auto& v = t.triangles()[f];
         const auto [d, e] = SM::internal::flat_edges(Atlas(), p[v[k]], p[v[(k + 1) % 3]], p[v[(k + 2) % 3]]);
-        smallest = std::min(smallest, std::acos(d.normalized().dot(e.normalized())) * 180 / 3.14159265358979);
+        smallest =
+          (std::min)(smallest, std::acos(d.normalized().dot(e.normalized())) * 180 / 3.14159265358979);
       }
   return smallest;
 }

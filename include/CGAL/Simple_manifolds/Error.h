@@ -75,7 +75,9 @@ class Error : public std::runtime_error {
 public:
   /// \param message  one sentence, what `what()` returns
   Error(Error_code code, const std::string& message, Mesh_element element = Mesh_element())
-    : std::runtime_error(message), code_(code), element_(element) {}
+    : std::runtime_error(message), code_(code), element_(element)
+  {
+  }
 
   /// The cause.
   Error_code code() const { return code_; }
@@ -91,17 +93,23 @@ private:
 ///
 /// The mesh is not a surface of the kind that is needed. The message says what it is: its components,
 /// border loops, Euler characteristic and genus.
-class Topology_error : public Error { using Error::Error; };
+class Topology_error : public Error {
+  using Error::Error;
+};
 
 /// \ingroup PkgSimpleManifoldsErrors
 ///
 /// Coordinates that are not finite, or a mesh without extent or with one that is no double.
-class Geometry_error : public Error { using Error::Error; };
+class Geometry_error : public Error {
+  using Error::Error;
+};
 
 /// \ingroup PkgSimpleManifoldsErrors
 ///
 /// A computation failed, or a map that was handed in is no bijection.
-class Numeric_error : public Error { using Error::Error; };
+class Numeric_error : public Error {
+  using Error::Error;
+};
 
 /// \ingroup PkgSimpleManifoldsErrors
 ///
@@ -112,7 +120,9 @@ public:
   IO_error(Error_code code, std::string file, const std::string& what, std::size_t line = 0,
            Mesh_element element = Mesh_element())
     : Error(code, file + (line ? ", line " + std::to_string(line) : std::string()) + ": " + what, element),
-      file_(std::move(file)), line_(line) {}
+      file_(std::move(file)), line_(line)
+  {
+  }
 
   /// The name of the file.
   const std::string& file() const { return file_; }

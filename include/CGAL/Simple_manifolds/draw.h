@@ -56,7 +56,8 @@ Eigen::Vector3d in_space(const Domain_point& p, bool is_torus)
     if (!is_torus) return {2 * p.x() - 1, 2 * p.y() - 1, 0};
     const double theta = 2 * CGAL_PI * p.x(), phi = 2 * CGAL_PI * p.y();
     return Eigen::Vector3d((1.5 + std::cos(theta)) * std::cos(phi), (1.5 + std::cos(theta)) * std::sin(phi),
-                           std::sin(theta)) / 2.5;
+                           std::sin(theta)) /
+           2.5;
   }
 }
 
@@ -81,7 +82,9 @@ inline IO::Color drawn_colour(int chart)
 class Coloured_mesh_builder {
 public:
   explicit Coloured_mesh_builder(Coloured_mesh& mesh)
-    : mesh_(mesh), colour_(mesh.add_property_map<Coloured_mesh::Face_index, IO::Color>("f:color").first) {}
+    : mesh_(mesh), colour_(mesh.add_property_map<Coloured_mesh::Face_index, IO::Color>("f:color").first)
+  {
+  }
 
   // f(v) is the position of a vertex, tile(t) the chart whose colour a face has.
   template <class Position, class Tile>
@@ -127,11 +130,15 @@ Coloured_mesh coloured_mesh(const Manifold_map<Atlas>& map)
     return map.atlas().tile(map.atlas().interpolate(p[t[0]], p[t[1]], p[t[2]], middle));
   };
   const std::size_t faces = map.number_of_faces() - map.number_of_virtual_faces();
-  builder.add(map.number_of_vertices(), map.faces(), faces,
-              [&](std::size_t v) -> Eigen::Vector3d { return scale * (map.point(v) - box.center()); }, tile);
-  builder.add(map.number_of_vertices(), map.faces(), faces, [&](std::size_t v) -> Eigen::Vector3d {
-    return internal::in_space(map.domain_point(v), Atlas::genus == 1) + Eigen::Vector3d(2.2, 0, 0);
-  }, tile);
+  builder.add(
+    map.number_of_vertices(), map.faces(), faces,
+    [&](std::size_t v) -> Eigen::Vector3d { return scale * (map.point(v) - box.center()); }, tile);
+  builder.add(
+    map.number_of_vertices(), map.faces(), faces,
+    [&](std::size_t v) -> Eigen::Vector3d {
+      return internal::in_space(map.domain_point(v), Atlas::genus == 1) + Eigen::Vector3d(2.2, 0, 0);
+    },
+    tile);
   for (const auto v : mesh.vertices())
     if (mesh.is_isolated(v)) mesh.remove_vertex(v);
   mesh.collect_garbage();
@@ -154,8 +161,9 @@ Coloured_mesh coloured_mesh(const Manifold_surface<Atlas, ChartEmbedding, Bump>&
   const std::vector<Triangle> triangles = triangulate(grid, points);
   internal::Coloured_mesh_builder builder(mesh);
   const std::size_t per_tile = triangles.size() / Atlas::number_of_charts; // they come tile by tile
-  builder.add(points.size(), triangles, triangles.size(), [&](std::size_t v) { return points[v]; },
-              [&](const Triangle& t) { return int(std::size_t(&t - triangles.data()) / per_tile); });
+  builder.add(
+    points.size(), triangles, triangles.size(), [&](std::size_t v) { return points[v]; },
+    [&](const Triangle& t) { return int(std::size_t(&t - triangles.data()) / per_tile); });
   return mesh;
 }
 

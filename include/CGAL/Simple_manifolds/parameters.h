@@ -14,52 +14,52 @@
 
 /// The named parameters of the package, each once: everything below is generated from this list.
 /// CGAL's own parameters (`vertex_point_map`, `visitor`, ...) are used where they fit.
-#define CGAL_SIMPLE_MANIFOLDS_FOR_EACH_PARAMETER(X)                                                  \
-  X(energy)              /* Energy: what a map minimises */                                          \
-  X(energy_lambda)       /* double: weight of area against angle in Energy::AMIPS */                 \
-  X(area_floor)          /* double in (0,1]: share of uniform area in the target areas */            \
-  X(effort)              /* Effort: how long a map is relaxed */                                     \
-  X(vertex_weight_map)   /* ReadablePropertyMap vertex -> double: relative area in the domain */     \
-  X(projection_weights)  /* Projection_weights: of neighbours, in the paper's method */              \
-  X(partition_report)    /* std::reference_wrapper<Partition_report> */                              \
-  X(corners)             /* Range of 4 vertex_descriptor: the corners of the square */               \
-  X(landmarks)           /* Range of Landmark: soft targets of vertices */                           \
-  X(close_borders)       /* Close_borders: which border loops are closed virtually */                \
-  X(domain_point_map)    /* WritablePropertyMap vertex -> domain point */                            \
-  X(max_error)           /* double: largest |E - M| allowed, fraction of the diagonal */             \
-  X(rms_error)           /* double: largest root mean square of |E - M|, fraction of the diagonal */ \
-  X(spline_degree)       /* int in 2..5 */                                                           \
-  X(bump)                /* model of BumpFunction */                                                 \
-  X(max_controls)        /* std::size_t: limit of the controls of a surface */                       \
-  X(refinement)          /* Refinement: where a fit adds controls */                                 \
-  X(joint_solve)         /* Joint_solve: when the charts are fitted together */                      \
-  X(marking)             /* Marking: which points a fit brings within the tolerance */               \
-  X(fairness)            /* double: weight of the thin plate energy */                               \
-  X(vertex_weights)      /* Range of double: weights of the vertices of a map in a fit */            \
-  X(fit_report)          /* std::reference_wrapper<Fit_report> */                                    \
-  X(average_delta)       /* double: largest mean of b_c |M - E_c| at the vertices of a chart */      \
-  X(max_delta)           /* double: largest b_c |M - E_c| there, fraction of the diagonal */         \
-  X(patch_controls)      /* int: controls per side of a patch */                                     \
-  X(max_patches)         /* int: limit of the patches of a chart */                                  \
-  X(max_bins)            /* int: limit of the bins per side of a chart */                            \
-  X(patch_solve)         /* Patch_solve: what is solved for when a patch was added */                \
-  X(patch_fit_report)    /* std::reference_wrapper<Patch_fit_report> */                              \
-  X(subdivisions)        /* int: cells per side of a tile */                                         \
-  X(chord_error)         /* double: largest distance of faces from a surface, fraction of diagonal */\
-  X(edge_length)         /* double: longest edge of a tessellation, fraction of the diagonal */      \
-  X(sizing)              /* model of TessellationSizing */                                           \
-  X(max_faces)           /* std::size_t: limit of the faces of a tessellation */                     \
-  X(tile_borders)        /* Tile_borders: where the tiles of the sphere meet */                      \
-  X(tessellation_report) /* std::reference_wrapper<Tessellation_report> */                           \
-  X(relative_error)      /* double: error of an integral allowed, fraction of the integral of |f| */ \
-  X(normal_map)          /* WritablePropertyMap vertex -> Vector_3 */                                \
+#define CGAL_SIMPLE_MANIFOLDS_FOR_EACH_PARAMETER(X)                                                          \
+  X(energy)              /* Energy: what a map minimises */                                                  \
+  X(energy_lambda)       /* double: weight of area against angle in Energy::AMIPS */                         \
+  X(area_floor)          /* double in (0,1]: share of uniform area in the target areas */                    \
+  X(effort)              /* Effort: how long a map is relaxed */                                             \
+  X(vertex_weight_map)   /* ReadablePropertyMap vertex -> double: relative area in the domain */             \
+  X(projection_weights)  /* Projection_weights: of neighbours, in the paper's method */                      \
+  X(partition_report)    /* std::reference_wrapper<Partition_report> */                                      \
+  X(corners)             /* Range of 4 vertex_descriptor: the corners of the square */                       \
+  X(landmarks)           /* Range of Landmark: soft targets of vertices */                                   \
+  X(close_borders)       /* Close_borders: which border loops are closed virtually */                        \
+  X(domain_point_map)    /* WritablePropertyMap vertex -> domain point */                                    \
+  X(max_error)           /* double: largest |E - M| allowed, fraction of the diagonal */                     \
+  X(rms_error)           /* double: largest root mean square of |E - M|, fraction of the diagonal */         \
+  X(spline_degree)       /* int in 2..5 */                                                                   \
+  X(bump)                /* model of BumpFunction */                                                         \
+  X(max_controls)        /* std::size_t: limit of the controls of a surface */                               \
+  X(refinement)          /* Refinement: where a fit adds controls */                                         \
+  X(joint_solve)         /* Joint_solve: when the charts are fitted together */                              \
+  X(marking)             /* Marking: which points a fit brings within the tolerance */                       \
+  X(fairness)            /* double: weight of the thin plate energy */                                       \
+  X(vertex_weights)      /* Range of double: weights of the vertices of a map in a fit */                    \
+  X(fit_report)          /* std::reference_wrapper<Fit_report> */                                            \
+  X(average_delta)       /* double: largest mean of b_c |M - E_c| at the vertices of a chart */              \
+  X(max_delta)           /* double: largest b_c |M - E_c| there, fraction of the diagonal */                 \
+  X(patch_controls)      /* int: controls per side of a patch */                                             \
+  X(max_patches)         /* int: limit of the patches of a chart */                                          \
+  X(max_bins)            /* int: limit of the bins per side of a chart */                                    \
+  X(patch_solve)         /* Patch_solve: what is solved for when a patch was added */                        \
+  X(patch_fit_report)    /* std::reference_wrapper<Patch_fit_report> */                                      \
+  X(subdivisions)        /* int: cells per side of a tile */                                                 \
+  X(chord_error)         /* double: largest distance of faces from a surface, fraction of diagonal */        \
+  X(edge_length)         /* double: longest edge of a tessellation, fraction of the diagonal */              \
+  X(sizing)              /* model of TessellationSizing */                                                   \
+  X(max_faces)           /* std::size_t: limit of the faces of a tessellation */                             \
+  X(tile_borders)        /* Tile_borders: where the tiles of the sphere meet */                              \
+  X(tessellation_report) /* std::reference_wrapper<Tessellation_report> */                                   \
+  X(relative_error)      /* double: error of an integral allowed, fraction of the integral of |f| */         \
+  X(normal_map)          /* WritablePropertyMap vertex -> Vector_3 */                                        \
   X(chart_point_map)     /* WritablePropertyMap vertex -> Chart_point */
 
 namespace CGAL {
 namespace Simple_manifolds {
 
 namespace internal_np {
-#define CGAL_SIMPLE_MANIFOLDS_TAG(name) enum name##_t { name };
+#define CGAL_SIMPLE_MANIFOLDS_TAG(name) enum name##_t{name};
 CGAL_SIMPLE_MANIFOLDS_FOR_EACH_PARAMETER(CGAL_SIMPLE_MANIFOLDS_TAG)
 #undef CGAL_SIMPLE_MANIFOLDS_TAG
 } // namespace internal_np
@@ -73,13 +73,13 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base> {
   using Pack = CGAL::Named_function_parameters<T, Tag, Base>; ///< the same without our members
   using Pack::Pack;
 
-#define CGAL_SIMPLE_MANIFOLDS_MEMBER(name)                                                           \
-  template <typename K>                                                                              \
-  Named_parameters<K, internal_np::name##_t, Pack> name(const K& value) const                        \
-  {                                                                                                  \
-    return Named_parameters<K, internal_np::name##_t, Pack>(value, *this);                           \
+#define CGAL_SIMPLE_MANIFOLDS_MEMBER(name)                                                                   \
+  template <typename K>                                                                                      \
+  Named_parameters<K, internal_np::name##_t, Pack> name(const K& value) const                                \
+  {                                                                                                          \
+    return Named_parameters<K, internal_np::name##_t, Pack>(value, *this);                                   \
   }
-CGAL_SIMPLE_MANIFOLDS_FOR_EACH_PARAMETER(CGAL_SIMPLE_MANIFOLDS_MEMBER)
+  CGAL_SIMPLE_MANIFOLDS_FOR_EACH_PARAMETER(CGAL_SIMPLE_MANIFOLDS_MEMBER)
 #undef CGAL_SIMPLE_MANIFOLDS_MEMBER
 };
 
@@ -87,21 +87,21 @@ CGAL_SIMPLE_MANIFOLDS_FOR_EACH_PARAMETER(CGAL_SIMPLE_MANIFOLDS_MEMBER)
 /// included.
 namespace parameters {
 
-using CGAL::parameters::default_values;
 using CGAL::parameters::Default_named_parameters;
+using CGAL::parameters::default_values;
 
-#define CGAL_SIMPLE_MANIFOLDS_FUNCTION(name)                                                         \
-  template <typename K>                                                                              \
-  Named_parameters<K, internal_np::name##_t> name(const K& value)                                    \
-  {                                                                                                  \
-    return Named_parameters<K, internal_np::name##_t>(value);                                        \
-  }                                                                                                  \
-  template <typename K, typename T, typename Tag, typename Base>                                     \
-  Named_parameters<K, internal_np::name##_t, CGAL::Named_function_parameters<T, Tag, Base>>          \
-  name(const K& value, const CGAL::Named_function_parameters<T, Tag, Base>& other)                   \
-  {                                                                                                  \
-    return Named_parameters<K, internal_np::name##_t, CGAL::Named_function_parameters<T, Tag, Base>>(\
-      value, other);                                                                                 \
+#define CGAL_SIMPLE_MANIFOLDS_FUNCTION(name)                                                                 \
+  template <typename K>                                                                                      \
+  Named_parameters<K, internal_np::name##_t> name(const K& value)                                            \
+  {                                                                                                          \
+    return Named_parameters<K, internal_np::name##_t>(value);                                                \
+  }                                                                                                          \
+  template <typename K, typename T, typename Tag, typename Base>                                             \
+  Named_parameters<K, internal_np::name##_t, CGAL::Named_function_parameters<T, Tag, Base>> name(            \
+    const K& value, const CGAL::Named_function_parameters<T, Tag, Base>& other)                              \
+  {                                                                                                          \
+    return Named_parameters<K, internal_np::name##_t, CGAL::Named_function_parameters<T, Tag, Base>>(value,  \
+                                                                                                     other); \
   }
 CGAL_SIMPLE_MANIFOLDS_FOR_EACH_PARAMETER(CGAL_SIMPLE_MANIFOLDS_FUNCTION)
 #undef CGAL_SIMPLE_MANIFOLDS_FUNCTION

@@ -199,8 +199,7 @@ private:
   {
     const std::filesystem::path base = nearest_existing() / ".simple_manifolds";
     std::error_code error;
-    do
-      temporary_ = internal::unused_path_beside(base);
+    do temporary_ = internal::unused_path_beside(base);
     while (!std::filesystem::create_directory(temporary_, error) && !error); // another program was faster
     if (error) {
       temporary_.clear();

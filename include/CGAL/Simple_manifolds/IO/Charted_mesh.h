@@ -8,11 +8,11 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_CHARTED_MESH_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_CHARTED_MESH_H
 
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/parameters.h>
@@ -45,13 +45,13 @@ struct Charted_mesh {
     std::vector<double> values; ///< one per vertex or face
   };
 
-  std::string kind;                       ///< of the mesh, for comments in files
-  std::string atlas;                      ///< the name of the atlas
-  std::vector<Eigen::Vector3d> points;    ///< per vertex
-  std::vector<Eigen::Vector3d> normals;   ///< per vertex, or none
-  std::vector<Chart_point> chart_points;  ///< per vertex the point in one chart
-  std::vector<Field> fields;              ///< further values per vertex
-  std::vector<Triangle> triangles;        ///< positions in `points`
+  std::string kind;                      ///< of the mesh, for comments in files
+  std::string atlas;                     ///< the name of the atlas
+  std::vector<Eigen::Vector3d> points;   ///< per vertex
+  std::vector<Eigen::Vector3d> normals;  ///< per vertex, or none
+  std::vector<Chart_point> chart_points; ///< per vertex the point in one chart
+  std::vector<Field> fields;             ///< further values per vertex
+  std::vector<Triangle> triangles;       ///< positions in `points`
   /// Per triangle a chart that contains it, or -1 where none does.
   std::vector<int> charts;
   /// Per triangle and corner the coordinates in that chart; zero where there is none.
@@ -64,8 +64,8 @@ struct Charted_mesh {
   bool is_valid() const
   {
     const std::size_t n = points.size(), m = triangles.size();
-    bool is_valid = m > 0 && (normals.empty() || normals.size() == n) && chart_points.size() == n
-                 && charts.size() == m && coordinates.size() == m;
+    bool is_valid = m > 0 && (normals.empty() || normals.size() == n) && chart_points.size() == n &&
+                    charts.size() == m && coordinates.size() == m;
     for (const Field& f : fields) {
       is_valid = is_valid && f.values.size() == n && !f.name.empty();
       for (unsigned char c : f.name) is_valid = is_valid && (std::isalnum(c) || c == '_');
@@ -94,8 +94,7 @@ void set_domain_points(Charted_mesh& mesh, const Atlas& atlas,
     mesh.charts.push_back(c);
     mesh.coordinates.emplace_back();
     for (int k = 0; k < 3; ++k)
-      mesh.coordinates.back()[k]
-        = c < 0 ? Eigen::Vector2d(0, 0) : atlas.coordinates(c, domain_points[t[k]]);
+      mesh.coordinates.back()[k] = c < 0 ? Eigen::Vector2d(0, 0) : atlas.coordinates(c, domain_points[t[k]]);
   }
 }
 
@@ -132,8 +131,10 @@ Charted_mesh tessellation_over(const Surface& surface, const Grid& grid)
 template <class Surface, class NamedParameters>
 auto grid_or_triangulation(const Surface& surface, const NamedParameters& np)
 {
-  if constexpr (is_adaptive<NamedParameters>) return adaptive_triangulation(surface, np);
-  else return tile_grid(surface, np);
+  if constexpr (is_adaptive<NamedParameters>)
+    return adaptive_triangulation(surface, np);
+  else
+    return tile_grid(surface, np);
 }
 
 // |E(p) - M(p)| / diagonal

@@ -13,11 +13,11 @@
 #include <CGAL/Simple_manifolds/IO/internal/Ply_file.h>
 #include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
 #include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
 #include <CGAL/Simple_manifolds/parameters.h>
 
 #include <string>

@@ -68,7 +68,7 @@ std::vector<std::string> png_images(const Chart_textures<Atlas, Channels, Bump>&
       for (int i = 0; i < n; ++i) {
         const auto x = textures.texel(c, i, j);
         for (int k = 0; k < Channels; ++k) {
-          const double in_range = x[k] > 0 ? std::min(x[k], 1.) : 0.; // NaN too
+          const double in_range = x[k] > 0 ? (std::min)(x[k], 1.) : 0.; // NaN too
           pixels.push_back(static_cast<unsigned char>(std::lround(255 * in_range)));
         }
       }

@@ -9,13 +9,13 @@
 #define CGAL_SIMPLE_MANIFOLDS_IO_READ_MESH_H
 
 #include <CGAL/Simple_manifolds/Error.h>
-#include <CGAL/Simple_manifolds/parameters.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/add_soup.h>
-#include <CGAL/Simple_manifolds/correspondence/topology.h>
 #include <CGAL/Simple_manifolds/IO/internal/File_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/Ply_file.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_stl.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_text_formats.h>
+#include <CGAL/Simple_manifolds/correspondence/topology.h>
+#include <CGAL/Simple_manifolds/internal/add_soup.h>
+#include <CGAL/Simple_manifolds/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>

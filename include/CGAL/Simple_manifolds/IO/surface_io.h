@@ -42,10 +42,10 @@ namespace Simple_manifolds {
 ///
 /// What a surface file says before its charts: which type of surface it holds.
 struct Surface_header {
-  std::string atlas;    ///< `sphere`, `torus` or `plane`
-  std::string bump;     ///< `smoothstep`, `bspline` or `polynomial`
-  int smoothness = 0;   ///< of the bump
-  int degree = 0;       ///< of the splines
+  std::string atlas;  ///< `sphere`, `torus` or `plane`
+  std::string bump;   ///< `smoothstep`, `bspline` or `polynomial`
+  int smoothness = 0; ///< of the bump
+  int degree = 0;     ///< of the splines
 };
 
 namespace internal {
@@ -72,8 +72,8 @@ Surface surface_of_json(const Json_field& j)
   if (header.atlas != Atlas::name)
     j["atlas"].fail('"' + header.atlas + "\" where \"" + Atlas::name + "\" is expected");
   if (header.bump != Bump::type || header.smoothness != Bump::smoothness)
-    j["bump"].fail(header.bump + " of smoothness " + std::to_string(header.smoothness) + " where "
-                   + Bump::type + " of smoothness " + std::to_string(Bump::smoothness) + " is expected");
+    j["bump"].fail(header.bump + " of smoothness " + std::to_string(header.smoothness) + " where " +
+                   Bump::type + " of smoothness " + std::to_string(Bump::smoothness) + " is expected");
   const Json_field charts = j["charts"];
   charts.require_size(Atlas::number_of_charts);
   using Chart_embedding = typename Surface::Chart_embedding;

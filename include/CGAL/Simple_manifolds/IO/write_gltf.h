@@ -92,7 +92,7 @@ public:
     text.add(json_.dump());
     text.align(' ');
     const std::size_t size = 12 + 8 + text.size() + 8 + bytes_.size();
-    if (size > std::numeric_limits<std::uint32_t>::max())
+    if (size > (std::numeric_limits<std::uint32_t>::max)())
       throw IO_error(Error_code::cannot_write, file,
                      "a glTF file cannot have " + std::to_string(size) + " bytes");
     Byte_buffer glb;
@@ -106,8 +106,15 @@ public:
 
 private:
   using Json = nlohmann::ordered_json;
-  enum { ARRAY_BUFFER = 34962, ELEMENT_ARRAY_BUFFER = 34963, UNSIGNED_INT = 5125, FLOAT = 5126,
-         LINEAR_MIPMAP_LINEAR = 9987, LINEAR = 9729, CLAMP_TO_EDGE = 33071 };
+  enum {
+    ARRAY_BUFFER = 34962,
+    ELEMENT_ARRAY_BUFFER = 34963,
+    UNSIGNED_INT = 5125,
+    FLOAT = 5126,
+    LINEAR_MIPMAP_LINEAR = 9987,
+    LINEAR = 9729,
+    CLAMP_TO_EDGE = 33071
+  };
 
   // Where the surface has no normal there may be anything of length 1.
   static Eigen::Vector3f valid_normal(const Eigen::Vector3d& n)
@@ -148,8 +155,8 @@ private:
   {
     Eigen::AlignedBox3f box;
     for (const Eigen::Vector3f& x : points) box.extend(x);
-    json_["accessors"].back()["min"] = {box.min().x(), box.min().y(), box.min().z()};
-    json_["accessors"].back()["max"] = {box.max().x(), box.max().y(), box.max().z()};
+    json_["accessors"].back()["min"] = {(box.min)().x(), (box.min)().y(), (box.min)().z()};
+    json_["accessors"].back()["max"] = {(box.max)().x(), (box.max)().y(), (box.max)().z()};
   }
 
   std::size_t add_indices(const std::vector<Triangle>& triangles)
@@ -166,8 +173,10 @@ private:
     bytes_.add(image);
     const std::size_t view = add_view(begin, 0);
     json_["images"].push_back({{"bufferView", view}, {"mimeType", "image/png"}});
-    json_["samplers"] = {{{"magFilter", int(LINEAR)}, {"minFilter", int(LINEAR_MIPMAP_LINEAR)},
-                          {"wrapS", int(CLAMP_TO_EDGE)}, {"wrapT", int(CLAMP_TO_EDGE)}}};
+    json_["samplers"] = {{{"magFilter", int(LINEAR)},
+                          {"minFilter", int(LINEAR_MIPMAP_LINEAR)},
+                          {"wrapS", int(CLAMP_TO_EDGE)},
+                          {"wrapT", int(CLAMP_TO_EDGE)}}};
     json_["textures"].push_back({{"source", json_["images"].size() - 1}, {"sampler", 0}});
     return json_["textures"].size() - 1;
   }
@@ -195,7 +204,7 @@ inline void write_gltf(const std::string& file, const Charted_mesh& mesh)
 {
   CGAL_precondition(mesh.is_valid());
   for (const Eigen::Vector3d& x : mesh.points)
-    if (!(x.cwiseAbs().maxCoeff() < std::numeric_limits<float>::max() / 4))
+    if (!(x.cwiseAbs().maxCoeff() < (std::numeric_limits<float>::max)() / 4))
       throw IO_error(Error_code::cannot_write, file,
                      "a coordinate is too large for the single precision of glTF");
   internal::Gltf_asset asset(mesh);

@@ -45,15 +45,11 @@ public:
     : map_(map), distortions_(face_distortions(map)), mesh_(report_mesh(map, distortions_, max_faces))
   {
     Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& p : map.points())
-      box.extend(p);
+    for (const Eigen::Vector3d& p : map.points()) box.extend(p);
     centre_ = box.center();
-    info_ = {{"atlas", Map::Atlas::name},
-             {"charts", int(Map::Atlas::number_of_charts)},
-             {"faces", mesh_.faces.size()},
-             {"faces_of_map", distortions_.angle.size()},
-             {"diagonal", unit()},
-             {"centre", {centre_.x(), centre_.y(), centre_.z()}},
+    info_ = {{"atlas", Map::Atlas::name},   {"charts", int(Map::Atlas::number_of_charts)},
+             {"faces", mesh_.faces.size()}, {"faces_of_map", distortions_.angle.size()},
+             {"diagonal", unit()},          {"centre", {centre_.x(), centre_.y(), centre_.z()}},
              {"figures", figures}};
   }
 
@@ -69,8 +65,7 @@ public:
 
     std::vector<int> charts;
     std::vector<Eigen::Vector3d> corners = control_cells(surface, charts);
-    for (Eigen::Vector3d& p : corners)
-      p = (p - centre_) / unit();
+    for (Eigen::Vector3d& p : corners) p = (p - centre_) / unit();
     arrays_.add_vectors("net.points", corners, 14);
     arrays_.add_bytes("net.charts", charts);
 
@@ -95,11 +90,10 @@ public:
     if (at == std::string_view::npos)
       throw IO_error(Error_code::cannot_write, file, "the page has no place for the data");
     Atomic_file output(file);
-    output.stream() << page.substr(0, at)
-                    << "<script id=\"info\" type=\"application/json\">" << info << "</script>\n"
+    output.stream() << page.substr(0, at) << "<script id=\"info\" type=\"application/json\">" << info
+                    << "</script>\n"
                     << "<script id=\"arrays\" type=\"application/octet-stream\">" << arrays_.text()
-                    << "</script>"
-                    << page.substr(at + mark.size());
+                    << "</script>" << page.substr(at + mark.size());
     output.commit();
   }
 

@@ -40,8 +40,9 @@ public:
     for (std::size_t i = 0; i < n; ++i) add(array, i);
     data_.add(std::uint64_t(array.size()));
     data_.add(array.bytes());
-    return "<DataArray type=\"" + std::string(type) + "\" Name=\"" + name + "\" NumberOfComponents=\""
-         + std::to_string(components) + "\" format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
+    return "<DataArray type=\"" + std::string(type) + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
+           std::to_string(components) + "\" format=\"appended\" offset=\"" + std::to_string(offset) +
+           "\"/>\n";
   }
 
   template <class Vectors>
@@ -79,11 +80,15 @@ inline void write_vtp(const std::string& file, const Charted_mesh& mesh)
   CGAL_precondition(mesh.is_valid());
   const std::size_t n = mesh.points.size(), m = mesh.triangles.size();
   internal::Vtk_arrays arrays;
-  std::string xml = "<?xml version=\"1.0\"?>\n<!-- simple_manifolds " + mesh.kind + ", atlas " + mesh.atlas
-    + " -->\n"
+  std::string xml =
+    "<?xml version=\"1.0\"?>\n<!-- simple_manifolds " + mesh.kind + ", atlas " + mesh.atlas +
+    " -->\n"
     "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-    "<PolyData>\n<Piece NumberOfPoints=\"" + std::to_string(n) + "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
-    "NumberOfStrips=\"0\" NumberOfPolys=\"" + std::to_string(m) + "\">\n";
+    "<PolyData>\n<Piece NumberOfPoints=\"" +
+    std::to_string(n) +
+    "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
+    "NumberOfStrips=\"0\" NumberOfPolys=\"" +
+    std::to_string(m) + "\">\n";
   const std::string normal = mesh.normals.empty() ? "" : " Normals=\"normal\"";
   xml += "<PointData Scalars=\"chart\"" + normal + ">\n";
   if (!mesh.normals.empty()) xml += arrays.vectors("normal", mesh.normals);
@@ -92,9 +97,8 @@ inline void write_vtp(const std::string& file, const Charted_mesh& mesh)
     for (int k = 0; k < 2; ++k) out.add(mesh.chart_points[v].uv[k]);
   });
   for (const Charted_mesh::Field& field : mesh.fields)
-    xml += arrays.element(field.name, "Float64", 1, n, [&](internal::Byte_buffer& out, std::size_t v) {
-      out.add(field.values[v]);
-    });
+    xml += arrays.element(field.name, "Float64", 1, n,
+                          [&](internal::Byte_buffer& out, std::size_t v) { out.add(field.values[v]); });
   xml += "</PointData>\n<CellData Scalars=\"chart\">\n";
   xml += arrays.integers("chart", m, [&](std::size_t f) { return mesh.charts[f]; });
   xml += "</CellData>\n<Points>\n" + arrays.vectors("points", mesh.points) + "</Points>\n<Polys>\n";

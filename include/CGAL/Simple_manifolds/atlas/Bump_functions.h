@@ -21,7 +21,9 @@ template <class Number>
 constexpr Number power(const Number& x, int n)
 {
   Number y(1);
-  for (int i = 0; i < n; ++i) { y = y * x; }
+  for (int i = 0; i < n; ++i) {
+    y = y * x;
+  }
   return y;
 }
 
@@ -29,7 +31,9 @@ constexpr Number power(const Number& x, int n)
 constexpr double binomial(int n, int k)
 {
   double b = 1;
-  for (int i = 1; i <= k; ++i) { b = b * (n - k + i) / i; }
+  for (int i = 1; i <= k; ++i) {
+    b = b * (n - k + i) / i;
+  }
   return b;
 }
 
@@ -59,7 +63,9 @@ public:
   /// The value, the first and the second derivative at `x`; 0 outside of (0,1).
   std::array<double, 3> jet(double x) const
   {
-    if (!(x > 0 && x < 1)) { return {0, 0, 0}; }
+    if (!(x > 0 && x < 1)) {
+      return {0, 0, 0};
+    }
     return inner_jet(x);
   }
 
@@ -78,7 +84,9 @@ public:
   template <class Number>
   static Number value(const Number& x)
   {
-    if (!(x > 0 && x < 1)) { return Number(0); }
+    if (!(x > 0 && x < 1)) {
+      return Number(0);
+    }
     return rise(x + x <= 1 ? Number(x + x) : Number(2 - (x + x)));
   }
 
@@ -89,7 +97,9 @@ private:
   {
     const Number z = 1 - y;
     Number sum(internal::binomial(2 * K, K));
-    for (int n = K - 1; n >= 0; --n) { sum = sum * z + Number(internal::binomial(K + n, n)); }
+    for (int n = K - 1; n >= 0; --n) {
+      sum = sum * z + Number(internal::binomial(K + n, n));
+    }
     return internal::power(y, K + 1) * sum;
   }
 };
@@ -116,7 +126,9 @@ public:
   /// The value, the first and the second derivative at `x`, at a break from one side; 0 outside of (0,1).
   std::array<double, 3> jet(double x) const
   {
-    if (!(x > 0 && x < 1)) { return {0, 0, 0}; }
+    if (!(x > 0 && x < 1)) {
+      return {0, 0, 0};
+    }
     constexpr double h = degree + 1;
     const double y = x <= 0.5 ? x : 1 - x; // small values keep all their digits at both ends
     return {derivative<0>(y), (x <= 0.5 ? h : -h) * derivative<1>(y), h * h * derivative<2>(y)};
@@ -140,7 +152,9 @@ private:
     } else {
       int span = 0;
       const Number y = x * (degree + 1);
-      while (span < degree && y >= span + 1) { ++span; }
+      while (span < degree && y >= span + 1) {
+        ++span;
+      }
       const Number t = y - span;
       // basis[r] is the value of the B-spline of degree q at t + r
       std::array<Number, degree + 1> basis;
@@ -155,7 +169,9 @@ private:
       Number sum(0);
       for (int i = 0; i <= n; ++i) {
         const int r = span - i;
-        if (r < 0 || r > degree - n) { continue; }
+        if (r < 0 || r > degree - n) {
+          continue;
+        }
         const Number term = Number(internal::binomial(n, i)) * basis[r];
         sum = i % 2 == 0 ? Number(sum + term) : Number(sum - term);
       }
@@ -184,7 +200,9 @@ public:
   /// The value, the first and the second derivative at `x`; 0 outside of (0,1).
   std::array<double, 3> jet(double x) const
   {
-    if (!(x > 0 && x < 1)) { return {0, 0, 0}; }
+    if (!(x > 0 && x < 1)) {
+      return {0, 0, 0};
+    }
     constexpr int e = K + 1;
     const double f = 4 * x * (1 - x), f1 = 4 * (1 - 2 * x);
     const double bend = K == 0 ? 0 : e * K * internal::power(f, K - 1) * f1 * f1;

@@ -44,7 +44,12 @@ struct Basic_jet {
   /// Adds a jet.
   Basic_jet& operator+=(const Basic_jet& f)
   {
-    value += f.value; u += f.u; v += f.v; uu += f.uu; uv += f.uv; vv += f.vv;
+    value += f.value;
+    u += f.u;
+    v += f.v;
+    uu += f.uu;
+    uv += f.uv;
+    vv += f.vv;
     return *this;
   }
 };
@@ -78,8 +83,8 @@ Basic_jet<T> compose(const Basic_jet<T>& f, const Transition_jet& psi)
 {
   using Vector = Eigen::Vector2d;
   const auto second = [&f](const Vector& a, const Vector& b, const Vector& h) -> T {
-    return f.uu * (a.x() * b.x()) + f.uv * (a.x() * b.y() + a.y() * b.x()) + f.vv * (a.y() * b.y())
-         + f.u * h.x() + f.v * h.y();
+    return f.uu * (a.x() * b.x()) + f.uv * (a.x() * b.y() + a.y() * b.x()) + f.vv * (a.y() * b.y()) +
+           f.u * h.x() + f.v * h.y();
   };
   return {f.value,
           f.u * psi.u.x() + f.v * psi.u.y(),

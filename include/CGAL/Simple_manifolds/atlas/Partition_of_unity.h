@@ -60,7 +60,9 @@ public:
 
   /// The partition of unity of the bumps on all charts of an atlas.
   explicit Partition_of_unity(const Bump& bump = Bump(), const Atlas& atlas = Atlas())
-    : bump_(bump), atlas_(atlas) {}
+    : bump_(bump), atlas_(atlas)
+  {
+  }
 
   /// The atlas of the domain.
   const Atlas& atlas() const { return atlas_; }
@@ -97,7 +99,9 @@ public:
       list.push_back({q, proto(q.uv)});
       sum += proto(q.uv);
     }
-    for (Weight& w : list) { w.weight /= sum; }
+    for (Weight& w : list) {
+      w.weight /= sum;
+    }
     return list;
   }
 
@@ -125,7 +129,9 @@ private:
     Weight_jet_list list;
     Scalar_jet sum = Scalar_jet::zero();
     for (int c = 0; c < Atlas::number_of_charts; ++c) {
-      if (!atlas_.contains(c, p.value)) { continue; } // before any trigonometry
+      if (!atlas_.contains(c, p.value)) {
+        continue;
+      } // before any trigonometry
       if (c == a.chart) {
         list.push_back({a, identity_jet(a.uv), proto_jet(a.uv)});
       } else {
@@ -134,7 +140,9 @@ private:
       }
       sum += list[list.size() - 1].weight;
     }
-    for (Weight_jet& w : list) { w.weight = quotient(w.weight, sum); }
+    for (Weight_jet& w : list) {
+      w.weight = quotient(w.weight, sum);
+    }
     return list;
   }
 

@@ -95,7 +95,9 @@ public:
   Chart_list charts_at(const Domain_point& p) const
   {
     Chart_list list;
-    if (contains(0, p)) { list.push_back({0, p}); }
+    if (contains(0, p)) {
+      list.push_back({0, p});
+    }
     return list;
   }
 

@@ -132,8 +132,12 @@ public:
         return Eigen::Vector2d(bend + first(de));
       };
       const Domain_point u = to_chart(p.u), v = to_chart(p.v);
-      return {coordinates(p.value), first(u), first(v),
-              second(u, u, to_chart(p.uu)), second(u, v, to_chart(p.uv)), second(v, v, to_chart(p.vv))};
+      return {coordinates(p.value),
+              first(u),
+              first(v),
+              second(u, u, to_chart(p.uu)),
+              second(u, v, to_chart(p.uv)),
+              second(v, v, to_chart(p.vv))};
     }
 
   private:
@@ -148,8 +152,8 @@ public:
       return p;
     }
 
-    double sign_;      // -1: turned by pi about the chart's z axis
-    int x_, y_, z_;    // the axes of the domain that are the axes of the chart
+    double sign_;   // -1: turned by pi about the chart's z axis
+    int x_, y_, z_; // the axes of the domain that are the axes of the chart
   };
 
   /// Chart c. \pre `0 <= c < number_of_charts`
@@ -173,7 +177,9 @@ public:
     Chart_list list;
     for (int pair = 0; pair < 3; ++pair) {
       const int c = 2 * pair + (p[(4 - pair) % 3] < 0);
-      if (contains(c, p)) { list.push_back({c, coordinates(c, p)}); }
+      if (contains(c, p)) {
+        list.push_back({c, coordinates(c, p)});
+      }
     }
     return list;
   }
@@ -258,7 +264,9 @@ public:
   /// \pre `p` is not zero
   Domain_point canonical(const Domain_point& p) const
   {
-    if (std::abs(p.squaredNorm() - 1) <= 8 * internal::half_ulp) { return p; }
+    if (std::abs(p.squaredNorm() - 1) <= 8 * internal::half_ulp) {
+      return p;
+    }
     CGAL_precondition(p != Domain_point::Zero());
     return p.stableNormalized();
   }

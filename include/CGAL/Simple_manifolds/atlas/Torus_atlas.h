@@ -129,10 +129,14 @@ public:
   {
     Chart_list list;
     for (int row = 0; row < 3; ++row) {
-      if (!contains(row, p[1])) { continue; }
+      if (!contains(row, p[1])) {
+        continue;
+      }
       const double t = coordinate(row, p[1]);
       for (int column = 0; column < 3; ++column) {
-        if (contains(column, p[0])) { list.push_back({column + 3 * row, {coordinate(column, p[0]), t}}); }
+        if (contains(column, p[0])) {
+          list.push_back({column + 3 * row, {coordinate(column, p[0]), t}});
+        }
       }
     }
     return list;
@@ -210,8 +214,8 @@ public:
                            const Eigen::Vector3d& barycentric) const
   {
     // relative to p, so that the corners are reproduced
-    return canonical(p + barycentric[1] * internal::shifted_difference(p, q, lift_offset(p, q))
-                       + barycentric[2] * internal::shifted_difference(p, r, lift_offset(p, r)));
+    return canonical(p + barycentric[1] * internal::shifted_difference(p, q, lift_offset(p, q)) +
+                     barycentric[2] * internal::shifted_difference(p, r, lift_offset(p, r)));
   }
 
   /// The barycentric coordinates, with sum 1, of the copy of `x` nearest to `p`: the inverse of
@@ -259,7 +263,9 @@ private:
   // The transition in one direction: i - j thirds are as many halves of a chart, modulo 3/2.
   static double translate(int i, int j, double s)
   {
-    if (i == j) { return s; }
+    if (i == j) {
+      return s;
+    }
     const bool is_up = (i - j + 3) % 3 == 1;
     CGAL_precondition(is_up ? s > 0 && s < 0.5 : s > 0.5 && s < 1);
     return internal::into_open_unit_interval(is_up ? s + 0.5 : s - 0.5);
@@ -271,8 +277,12 @@ private:
     // Rounding is monotone: comparing the rounded difference is right unless it is +-1/2 itself. Then
     // its rounding error decides: q - p = d + error exactly (the two-sum of q and -p).
     const double d = q - p, b = d - q, error = (q - (d - b)) - (p + b);
-    if (d > 0.5 || (d == 0.5 && error > 0)) { return -1; }
-    if (d < -0.5 || (d == -0.5 && error <= 0)) { return 1; }
+    if (d > 0.5 || (d == 0.5 && error > 0)) {
+      return -1;
+    }
+    if (d < -0.5 || (d == -0.5 && error <= 0)) {
+      return 1;
+    }
     return 0;
   }
 };

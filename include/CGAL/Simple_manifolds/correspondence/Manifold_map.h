@@ -9,11 +9,11 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MANIFOLD_MAP_H
 
 #include <CGAL/Simple_manifolds/Error.h>
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/Point_locator.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/bounding_cube.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/location/Point_locator.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/bounding_cube.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
 #include <CGAL/assertions.h>
@@ -173,8 +173,8 @@ public:
   Eigen::Vector3d position(const Location& location) const
   {
     const Triangle& t = faces_[location.face];
-    return location.barycentric[0] * points_[t[0]] + location.barycentric[1] * points_[t[1]]
-         + location.barycentric[2] * points_[t[2]];
+    return location.barycentric[0] * points_[t[0]] + location.barycentric[1] * points_[t[1]] +
+           location.barycentric[2] * points_[t[2]];
   }
 
   /// M(p): the point in space of a domain point.
@@ -209,13 +209,15 @@ private:
     for (const Triangle& t : faces_)
       for (int v : t)
         if (!points_[v].allFinite())
-          throw Geometry_error(Error_code::non_finite_coordinate, "vertex " + std::to_string(v)
-                               + " has a coordinate that is not finite", Mesh_element::vertex(v));
+          throw Geometry_error(Error_code::non_finite_coordinate,
+                               "vertex " + std::to_string(v) + " has a coordinate that is not finite",
+                               Mesh_element::vertex(v));
     certificate_ = internal::certify_surface(atlas_, domain_points_, faces_, opposite, topology);
     if (!certificate_.is_valid())
       throw Numeric_error(Error_code::map_not_bijective, certificate_.sentence(),
-                          certificate_.offending_faces.empty() ? Mesh_element()
-                          : Mesh_element::face(certificate_.offending_faces.front()));
+                          certificate_.offending_faces.empty()
+                            ? Mesh_element()
+                            : Mesh_element::face(certificate_.offending_faces.front()));
     return internal::Point_locator<Atlas>(domain_points_, faces_, std::move(opposite));
   }
 
@@ -227,21 +229,18 @@ private:
     const Eigen::Vector3d origin = scale * points_[faces_[0][0]];
     for (const Triangle& t : faces_) {
       for (int v : t)
-        if (v < static_cast<int>(number_of_input_vertices_))
-          box.extend(points_[v]);
+        if (v < static_cast<int>(number_of_input_vertices_)) box.extend(points_[v]);
       const Eigen::Vector3d a = scale * points_[t[0]] - origin, b = scale * points_[t[1]] - origin;
       volume += a.dot(b.cross(scale * points_[t[2]] - origin));
     }
     if (number_of_virtual_faces_ > 0) {
       std::vector<char> is_real(points_.size(), false);
       for (std::size_t f = 0; f + number_of_virtual_faces_ < faces_.size(); ++f)
-        for (int v : faces_[f])
-          is_real[v] = true;
+        for (int v : faces_[f]) is_real[v] = true;
       for (std::size_t v = 0; v < is_real.size(); ++v)
-        if (!is_real[v])
-          virtual_vertices_.push_back(static_cast<int>(v));
+        if (!is_real[v]) virtual_vertices_.push_back(static_cast<int>(v));
     }
-    diagonal_ = box.isEmpty() ? 0. : (scale * box.max() - scale * box.min()).norm() / scale;
+    diagonal_ = box.isEmpty() ? 0. : (scale * (box.max)() - scale * (box.min)()).norm() / scale;
     is_inward_oriented_ = Atlas::is_closed && volume < 0;
   }
 
@@ -268,8 +267,8 @@ private:
         location.barycentric[k] = 1;
         return location;
       }
-    Eigen::Vector3d beta
-      = atlas_.barycentric(domain_points_[t[0]], domain_points_[t[1]], domain_points_[t[2]], x);
+    Eigen::Vector3d beta =
+      atlas_.barycentric(domain_points_[t[0]], domain_points_[t[1]], domain_points_[t[2]], x);
     for (int k = 0; k < 3; ++k)
       if (s[k] == 0 || !(beta[(k + 2) % 3] > 0)) // the signs know better than rounded coordinates
         beta[(k + 2) % 3] = 0;
@@ -284,7 +283,7 @@ private:
   std::size_t number_of_input_vertices_, number_of_virtual_faces_;
   Certificate certificate_;
   internal::Point_locator<Atlas> locator_; // after the members that it is made from
-  std::vector<int> virtual_vertices_; // sorted
+  std::vector<int> virtual_vertices_;      // sorted
   double diagonal_ = 0;
   bool is_inward_oriented_ = false;
 };

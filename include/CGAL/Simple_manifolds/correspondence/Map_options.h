@@ -52,7 +52,7 @@ enum class Close_borders {
 template <class VertexDescriptor, class DomainPoint>
 struct Landmark {
   VertexDescriptor vertex; ///< of the mesh
-  DomainPoint point; ///< of the canonical surface
+  DomainPoint point;       ///< of the canonical surface
   double weight = 1; ///< >= 0; 1 counts a squared distance like ten times the distortion of the whole map
 };
 

@@ -10,10 +10,10 @@
 
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/Splittable_mesh.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/Star_repair.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/sphere_balance.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/torus_balance.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/Star_repair.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/sphere_balance.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/torus_balance.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/Splittable_mesh.h>
 #include <CGAL/Simple_manifolds/parameters.h>
 
 #include <numeric>
@@ -38,13 +38,10 @@ inline std::vector<Eigen::Vector3d> moved_points(const Manifold_map<Sphere_atlas
   double longest_boost = 0.95;
   for (int attempt = 0; attempt < 8; ++attempt) {
     const Conformal_motion motion = search.motion(longest_boost);
-    if (motion.is_identity())
-      break;
-    motion.for_each_image(map.domain_points(), [&](std::size_t v, const Eigen::Vector3d& p) {
-      points[v] = p.normalized();
-    });
-    if (Star_repair<Sphere_atlas>(mesh, points).remove_flips())
-      return points;
+    if (motion.is_identity()) break;
+    motion.for_each_image(map.domain_points(),
+                          [&](std::size_t v, const Eigen::Vector3d& p) { points[v] = p.normalized(); });
+    if (Star_repair<Sphere_atlas>(mesh, points).remove_flips()) return points;
     longest_boost = attempt < 6 ? motion.boost.norm() / 2 : 0;
   }
   return map.domain_points();
@@ -67,12 +64,10 @@ std::vector<Eigen::Vector2d> balanced_points(const Manifold_map<Torus_atlas>& ma
 {
   const Eigen::Vector2d translation = Torus_balance(map.domain_points(), map.faces()).translation();
   std::vector<Eigen::Vector2d> points = map.domain_points();
-  for (Eigen::Vector2d& p : points)
-    p = map.atlas().canonical(p + translation);
+  for (Eigen::Vector2d& p : points) p = map.atlas().canonical(p + translation);
   // Exact for the multiples of 2^-52 that the mapper makes; points from elsewhere may be rounded.
   for (const Triangle& t : map.faces())
-    if (!is_positive_face(map.atlas(), points[t[0]], points[t[1]], points[t[2]]))
-      return map.domain_points();
+    if (!is_positive_face(map.atlas(), points[t[0]], points[t[1]], points[t[2]])) return map.domain_points();
   return points;
 }
 
@@ -102,17 +97,16 @@ Manifold_map<Atlas> balance(const Manifold_map<Atlas>& map,
 {
   if constexpr (!Atlas::is_closed) {
     return map;
-  }
-  else {
+  } else {
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter_reference;
     Default_visitor default_visitor;
-    auto& visitor
-      = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+    auto& visitor =
+      choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
 
     visitor.start_phase("balance");
-    std::vector<typename Atlas::Domain_point> points
-      = internal::balanced_points(map, [&](double fraction) { visitor.progress(fraction); });
+    std::vector<typename Atlas::Domain_point> points =
+      internal::balanced_points(map, [&](double fraction) { visitor.progress(fraction); });
     visitor.end_phase();
     return Manifold_map<Atlas>(map.points(), map.faces(), std::move(points), map.number_of_input_vertices(),
                                map.number_of_virtual_faces());

@@ -9,8 +9,8 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_CERTIFY_H
 
 #include <CGAL/Simple_manifolds/Error.h>
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/domain_geometry.h>
+#include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/domain_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -37,35 +37,35 @@ namespace Simple_manifolds {
 /// The proof that a map is one to one, or what is wrong with it. All signs are those of the stored
 /// doubles, decided exactly.
 struct Certificate {
-  std::size_t faces = 0;              ///< of the map
-  std::size_t flipped = 0;            ///< faces that are negative in the domain
-  std::size_t degenerate = 0;         ///< faces without area in the domain
-  std::size_t unliftable = 0;         ///< torus: faces with an edge of size 1/2 or that wind round a handle
-  std::vector<int> offending_faces;   ///< the first 16 of all these
-  std::size_t out_of_range = 0;       ///< vertices whose domain point is none
-  std::vector<int> offending_vertices;///< the first 16 of them
-  double degree = 0;                  ///< signed area of all faces over the area of the domain
-  double smallest_domain_area = 0;    ///< signed, of one face; on the sphere in steradians
-  bool degree_is_one = false;         ///< the faces cover the domain once
-  bool area_is_exact = false;         ///< torus, square: the areas were summed exactly, not in doubles
-  bool topology_ok = false;           ///< a surface of the domain's genus and border, connected
-  std::string topology_message;       ///< what the mesh is, or why it is no surface
-  bool border_ok = false;             ///< square: the border runs once round; true for the others
-  std::string border_message;         ///< empty when it is right
+  std::size_t faces = 0;               ///< of the map
+  std::size_t flipped = 0;             ///< faces that are negative in the domain
+  std::size_t degenerate = 0;          ///< faces without area in the domain
+  std::size_t unliftable = 0;          ///< torus: faces with an edge of size 1/2 or that wind round a handle
+  std::vector<int> offending_faces;    ///< the first 16 of all these
+  std::size_t out_of_range = 0;        ///< vertices whose domain point is none
+  std::vector<int> offending_vertices; ///< the first 16 of them
+  double degree = 0;                   ///< signed area of all faces over the area of the domain
+  double smallest_domain_area = 0;     ///< signed, of one face; on the sphere in steradians
+  bool degree_is_one = false;          ///< the faces cover the domain once
+  bool area_is_exact = false;          ///< torus, square: the areas were summed exactly, not in doubles
+  bool topology_ok = false;            ///< a surface of the domain's genus and border, connected
+  std::string topology_message;        ///< what the mesh is, or why it is no surface
+  bool border_ok = false;              ///< square: the border runs once round; true for the others
+  std::string border_message;          ///< empty when it is right
 
   /// Whether the map is one to one, onto, and orientation preserving.
   bool is_valid() const
   {
-    return faces > 0 && flipped == 0 && degenerate == 0 && unliftable == 0 && out_of_range == 0
-        && degree_is_one && topology_ok && border_ok;
+    return faces > 0 && flipped == 0 && degenerate == 0 && unliftable == 0 && out_of_range == 0 &&
+           degree_is_one && topology_ok && border_ok;
   }
 
   /// The verdict with the numbers, in one sentence.
   std::string sentence() const
   {
     if (is_valid())
-      return "the map is one to one: all " + std::to_string(faces) + " faces are positive, degree 1"
-           + (area_is_exact ? ", total area exactly 1" : "");
+      return "the map is one to one: all " + std::to_string(faces) + " faces are positive, degree 1" +
+             (area_is_exact ? ", total area exactly 1" : "");
     std::string s = "the map is not one to one";
     const char* separator = ": ";
     const auto add = [&](bool wrong, const std::string& what) {
@@ -76,17 +76,15 @@ struct Certificate {
     };
     add(!topology_ok, topology_message);
     std::string names;
-    for (int v : offending_vertices)
-      names += " " + std::to_string(v);
+    for (int v : offending_vertices) names += " " + std::to_string(v);
     add(out_of_range > 0,
         std::to_string(out_of_range) + " vertices have no point of the domain, first:" + names);
     names.clear();
-    for (int f : offending_faces)
-      names += " " + std::to_string(f);
+    for (int f : offending_faces) names += " " + std::to_string(f);
     const std::string lifts = unliftable > 0 ? ", " + std::to_string(unliftable) + " not liftable" : "";
-    add(flipped + degenerate + unliftable > 0, std::to_string(flipped) + " flipped, "
-        + std::to_string(degenerate) + " degenerate" + lifts + " of " + std::to_string(faces)
-        + " faces, first:" + names);
+    add(flipped + degenerate + unliftable > 0, std::to_string(flipped) + " flipped, " +
+                                                 std::to_string(degenerate) + " degenerate" + lifts + " of " +
+                                                 std::to_string(faces) + " faces, first:" + names);
     add(flipped == faces && faces > 0, "all faces are negative, the map has the opposite orientation");
     add(!border_ok && !border_message.empty(), border_message);
     add(!degree_is_one && topology_ok && out_of_range == 0, "degree " + std::to_string(degree));
@@ -100,20 +98,16 @@ inline constexpr std::size_t max_named_offenders = 16;
 
 inline void name_offender(std::vector<int>& names, std::size_t element)
 {
-  if (names.size() < max_named_offenders)
-    names.push_back(static_cast<int>(element));
+  if (names.size() < max_named_offenders) names.push_back(static_cast<int>(element));
 }
 
 // The side of the square (0 bottom, 1 right, 2 top, 3 left) of a border point, and how far along it,
 // counterclockwise; a corner belongs to the side that it starts. Off the border the side is -1.
 inline std::pair<int, double> place_on_square(const Eigen::Vector2d& p)
 {
-  if (p.y() == 0 && p.x() < 1)
-    return {0, p.x()};
-  if (p.x() == 1 && p.y() < 1)
-    return {1, p.y()};
-  if (p.y() == 1 && p.x() > 0)
-    return {2, -p.x()};
+  if (p.y() == 0 && p.x() < 1) return {0, p.x()};
+  if (p.x() == 1 && p.y() < 1) return {1, p.y()};
+  if (p.y() == 1 && p.x() > 0) return {2, -p.x()};
   return {p.x() == 0 ? 3 : -1, -p.y()};
 }
 
@@ -124,12 +118,12 @@ inline std::string border_fault(const std::vector<Eigen::Vector2d>& points, std:
   for (int v : loop)
     if (place_on_square(points[v]).first == -1)
       return "border vertex " + std::to_string(v) + " lies off the border of the square";
-  for (const Eigen::Vector2d& corner : {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0), Eigen::Vector2d(1, 1),
-                                        Eigen::Vector2d(0, 1)}) {
+  for (const Eigen::Vector2d& corner :
+       {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0), Eigen::Vector2d(1, 1), Eigen::Vector2d(0, 1)}) {
     const auto hits = std::count_if(loop.begin(), loop.end(), [&](int v) { return points[v] == corner; });
     if (hits != 1)
-      return std::to_string(hits) + " border vertices lie at the corner (" + std::to_string(int(corner.x()))
-           + "," + std::to_string(int(corner.y())) + ") of the square";
+      return std::to_string(hits) + " border vertices lie at the corner (" + std::to_string(int(corner.x())) +
+             "," + std::to_string(int(corner.y())) + ") of the square";
   }
   const auto origin = std::find_if(loop.begin(), loop.end(), [&](int v) { return points[v].isZero(0); });
   std::rotate(loop.begin(), origin, loop.end());
@@ -149,15 +143,14 @@ inline std::optional<bool> total_area_is_one(const std::vector<Eigen::Vector2d>&
   boost::multiprecision::int128_t sum = 0; // of twice the areas, in units of 2^-104
   for (const Triangle& t : faces) {
     for (int v : t)
-      if (!on_grid(points[v][0]) || !on_grid(points[v][1]))
-        return std::nullopt;
+      if (!on_grid(points[v][0]) || !on_grid(points[v][1])) return std::nullopt;
     std::array<std::array<std::int64_t, 2>, 2> edge; // from corner 0, exact
     for (int k = 0; k < 2; ++k) {
       const Eigen::Vector2d &p = points[t[0]], &q = points[t[k + 1]];
       const Eigen::Vector2i lift = is_torus ? Torus_atlas::lift_offset(p, q) : Eigen::Vector2i(0, 0);
       for (int i = 0; i < 2; ++i)
-        edge[k][i] = static_cast<std::int64_t>(q[i] * unit) - static_cast<std::int64_t>(p[i] * unit)
-                   + lift[i] * static_cast<std::int64_t>(unit);
+        edge[k][i] = static_cast<std::int64_t>(q[i] * unit) - static_cast<std::int64_t>(p[i] * unit) +
+                     lift[i] * static_cast<std::int64_t>(unit);
     }
     sum += boost::multiprecision::int128_t(edge[0][0]) * edge[1][1];
     sum -= boost::multiprecision::int128_t(edge[0][1]) * edge[1][0];
@@ -172,12 +165,10 @@ void certify_faces(const Atlas& atlas, const std::vector<typename Atlas::Domain_
 {
   std::vector<char> used(points.size(), false);
   for (const Triangle& t : faces)
-    for (int v : t)
-      used[v] = true;
+    for (int v : t) used[v] = true;
   bool finite = true;
   for (std::size_t v = 0; v < points.size(); ++v) {
-    if (!used[v])
-      continue;
+    if (!used[v]) continue;
     finite = finite && points[v].allFinite();
     if (!points[v].allFinite() || !is_in_range(atlas, points[v])) {
       ++certificate.out_of_range;
@@ -187,23 +178,21 @@ void certify_faces(const Atlas& atlas, const std::vector<typename Atlas::Domain_
   if (!finite || (std::is_same_v<Atlas, Torus_atlas> && certificate.out_of_range > 0))
     return; // no sign has a meaning
 
-  double total = 0, smallest = std::numeric_limits<double>::max();
+  double total = 0, smallest = (std::numeric_limits<double>::max)();
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto& a = points[faces[f][0]];
     const auto& b = points[faces[f][1]];
     const auto& c = points[faces[f][2]];
     bool liftable = true;
-    if constexpr (std::is_same_v<Atlas, Torus_atlas>)
-      liftable = is_liftable(a, b, c);
+    if constexpr (std::is_same_v<Atlas, Torus_atlas>) liftable = is_liftable(a, b, c);
     const int sign = atlas.orientation(a, b, c);
     certificate.unliftable += !liftable;
     certificate.flipped += sign < 0;
     certificate.degenerate += sign == 0;
-    if (sign <= 0 || !liftable)
-      name_offender(certificate.offending_faces, f);
+    if (sign <= 0 || !liftable) name_offender(certificate.offending_faces, f);
     const double area = sign == 0 ? 0. : signed_area(atlas, a, b, c);
     total += area;
-    smallest = std::min(smallest, area);
+    smallest = (std::min)(smallest, area);
   }
   certificate.degree = total / Atlas::area;
   certificate.smallest_domain_area = smallest;
@@ -227,16 +216,15 @@ Certificate certify_surface(const Atlas& atlas, const std::vector<typename Atlas
 {
   Certificate certificate;
   certificate.faces = faces.size();
-  certificate.topology_ok = topology.is_connected() && topology.genus == Atlas::genus
-                         && topology.border_loops == (Atlas::is_closed ? 0 : 1);
+  certificate.topology_ok = topology.is_connected() && topology.genus == Atlas::genus &&
+                            topology.border_loops == (Atlas::is_closed ? 0 : 1);
   certificate.topology_message = topology.sentence();
   certify_faces(atlas, points, faces, certificate);
   certificate.border_ok = true;
   if constexpr (!Atlas::is_closed) {
     const Triangle_soup soup(static_cast<int>(points.size()), faces);
     const auto loops = border_loops(soup, opposite);
-    if (loops.size() == 1)
-      certificate.border_message = border_fault(points, loops[0]);
+    if (loops.size() == 1) certificate.border_message = border_fault(points, loops[0]);
     certificate.border_ok = loops.size() == 1 && certificate.border_message.empty();
   }
   return certificate;
@@ -268,8 +256,7 @@ Certificate certify(const Atlas& atlas, const std::vector<typename Atlas::Domain
     const internal::Triangle_soup soup(static_cast<int>(domain_points.size()), faces);
     const Mesh_topology topology = internal::topology_of_soup(soup, opposite);
     return internal::certify_surface(atlas, domain_points, faces, opposite, topology);
-  }
-  catch (const Topology_error& error) {
+  } catch (const Topology_error& error) {
     certificate.topology_message = error.what();
     certificate.border_ok = Atlas::is_closed;
     if (error.code() == Error_code::degenerate_face)

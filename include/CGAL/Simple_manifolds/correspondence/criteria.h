@@ -8,11 +8,11 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_CRITERIA_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_CRITERIA_H
 
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/Splittable_mesh.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/lifts.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/lifts.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/Splittable_mesh.h>
 
 #include <Eigen/Core>
 
@@ -45,14 +45,14 @@ struct Star_criteria {
 /// The four criteria of Grimm 2002, section 5.1, for a good correspondence. The first three can be met, see
 /// `balance()` and `refine()`; the fourth is an ideal that the paper does not reach either.
 struct Criteria_report {
-  Chart_report charts;                   ///< criterion 1: the vertices per chart; totals of criterion 2
-  double largest_deviation = 0;          ///< of a count from the mean, over the mean; the paper asks for 0.2
-  std::vector<Star_criteria> stars;      ///< per vertex; for a vertex of no face the default
-  std::size_t vertices = 0;              ///< of faces
-  std::size_t vertices_outside = 0;      ///< a chart contains the star, but the polygon not the vertex
-  std::size_t convex_stars = 0;          ///< criterion 4
-  std::vector<int> first_without_chart;  ///< up to 16 vertices that violate criterion 2
-  std::vector<int> first_outside;        ///< up to 16 vertices that violate criterion 3
+  Chart_report charts;                  ///< criterion 1: the vertices per chart; totals of criterion 2
+  double largest_deviation = 0;         ///< of a count from the mean, over the mean; the paper asks for 0.2
+  std::vector<Star_criteria> stars;     ///< per vertex; for a vertex of no face the default
+  std::size_t vertices = 0;             ///< of faces
+  std::size_t vertices_outside = 0;     ///< a chart contains the star, but the polygon not the vertex
+  std::size_t convex_stars = 0;         ///< criterion 4
+  std::vector<int> first_without_chart; ///< up to 16 vertices that violate criterion 2
+  std::vector<int> first_outside;       ///< up to 16 vertices that violate criterion 3
 
   /// Criterion 4 as a share of the vertices.
   double convex_share() const { return vertices > 0 ? double(convex_stars) / vertices : 0; }
@@ -67,12 +67,11 @@ struct Criteria_report {
       const std::string s = std::to_string(x);
       return s.substr(0, s.size() - 3);
     };
-    return "vertices per chart: coefficient of variation " + rounded(charts.variation)
-         + ", largest deviation " + rounded(largest_deviation) + "; of " + std::to_string(vertices)
-         + " vertices "
-         + std::to_string(charts.stars_without_chart) + " have no chart for their star and "
-         + std::to_string(vertices_outside) + " lie outside of its polygon, "
-         + rounded(100 * convex_share()) + " % of the polygons are convex";
+    return "vertices per chart: coefficient of variation " + rounded(charts.variation) +
+           ", largest deviation " + rounded(largest_deviation) + "; of " + std::to_string(vertices) +
+           " vertices " + std::to_string(charts.stars_without_chart) + " have no chart for their star and " +
+           std::to_string(vertices_outside) + " lie outside of its polygon, " +
+           rounded(100 * convex_share()) + " % of the polygons are convex";
   }
 };
 
@@ -93,7 +92,7 @@ struct Star_chart {
 
 inline double distance_to_border(const Eigen::Vector2d& uv)
 {
-  return std::min(uv.minCoeff(), 1 - uv.maxCoeff());
+  return (std::min)(uv.minCoeff(), 1 - uv.maxCoeff());
 }
 
 inline Star_chart chart_of_star(const Sphere_atlas& atlas, const Eigen::Vector3d& p,
@@ -101,15 +100,12 @@ inline Star_chart chart_of_star(const Sphere_atlas& atlas, const Eigen::Vector3d
 {
   Chart_mask mask = charts_of_point(atlas, p);
   for (const auto& r : ring)
-    if (mask != 0)
-      mask &= charts_of_point(atlas, r);
+    if (mask != 0) mask &= charts_of_point(atlas, r);
   Star_chart best;
   for (int c = 0; c < Sphere_atlas::number_of_charts; ++c) {
-    if ((mask >> c & 1) == 0)
-      continue;
+    if ((mask >> c & 1) == 0) continue;
     double margin = distance_to_border(atlas.coordinates(c, p));
-    for (const auto& r : ring)
-      margin = std::min(margin, distance_to_border(atlas.coordinates(c, r)));
+    for (const auto& r : ring) margin = (std::min)(margin, distance_to_border(atlas.coordinates(c, r)));
     best.offer(c, margin);
   }
   return best;
@@ -126,11 +122,11 @@ inline Star_chart chart_of_star(const Torus_atlas& atlas, const Eigen::Vector2d&
   const Chart_mask mask = charts_of_box(p, low, high);
   Star_chart best;
   for (int c = 0; c < Torus_atlas::number_of_charts; ++c) {
-    if ((mask >> c & 1) == 0)
-      continue;
+    if ((mask >> c & 1) == 0) continue;
     const Eigen::Vector2d uv = atlas.coordinates(c, p);
     // Positive, as the mask says; not always after rounding.
-    best.offer(c, std::max(1e-300, std::min((uv + 1.5 * low).minCoeff(), 1 - (uv + 1.5 * high).maxCoeff())));
+    best.offer(c,
+               (std::max)(1e-300, (std::min)((uv + 1.5 * low).minCoeff(), 1 - (uv + 1.5 * high).maxCoeff())));
   }
   return best;
 }
@@ -146,8 +142,7 @@ inline void star_in_chart(const Sphere_atlas& atlas, int chart, const Eigen::Vec
 {
   const Eigen::Vector2d centre = atlas.coordinates(chart, p);
   result.clear();
-  for (const auto& r : ring)
-    result.push_back(atlas.coordinates(chart, r) - centre);
+  for (const auto& r : ring) result.push_back(atlas.coordinates(chart, r) - centre);
 }
 template <class Atlas>
 void star_in_chart(const Atlas&, int, const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& ring,
@@ -169,13 +164,11 @@ inline bool is_convex_round_origin(std::vector<Eigen::Vector2d> polygon, bool is
   const auto turns_left = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return cross(a, b) >= -tolerance * a.norm() * b.norm();
   };
-  if (!is_closed)
-    polygon.emplace_back(0, 0);
+  if (!is_closed) polygon.emplace_back(0, 0);
   const std::size_t n = polygon.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Eigen::Vector2d &a = polygon[i], &b = polygon[(i + 1) % n], &c = polygon[(i + 2) % n];
-    if (!turns_left(a, b) || !turns_left(b - a, c - b))
-      return false;
+    if (!turns_left(a, b) || !turns_left(b - a, c - b)) return false;
   }
   return true;
 }
@@ -187,8 +180,7 @@ Star_criteria star_criteria(const Atlas& atlas, const Point& p, const std::vecto
 {
   Star_criteria s;
   s.chart = chart_of_star(atlas, p, ring).chart;
-  if (s.chart == -1)
-    return s;
+  if (s.chart == -1) return s;
   std::vector<Eigen::Vector2d> star;
   star_in_chart(atlas, s.chart, p, ring, star);
   double turn = 0;
@@ -223,30 +215,25 @@ Criteria_report criteria_report(const Atlas& atlas,
   std::vector<int> neighbours;
   std::vector<typename Atlas::Domain_point> ring;
   for (int v = 0; v < mesh.number_of_vertices(); ++v) {
-    if (mesh.is_isolated(v))
-      continue;
+    if (mesh.is_isolated(v)) continue;
     ++report.vertices;
     const bool is_closed = mesh.ring(v, neighbours);
     ring.clear();
-    for (int w : neighbours)
-      ring.push_back(domain_points[w]);
+    for (int w : neighbours) ring.push_back(domain_points[w]);
     const Star_criteria s = internal::star_criteria(atlas, domain_points[v], ring, is_closed);
     report.stars[v] = s;
     report.convex_stars += s.is_convex;
     if (s.chart == -1) {
-      if (report.first_without_chart.size() < longest_list)
-        report.first_without_chart.push_back(v);
-    }
-    else if (!s.contains_vertex) {
+      if (report.first_without_chart.size() < longest_list) report.first_without_chart.push_back(v);
+    } else if (!s.contains_vertex) {
       ++report.vertices_outside;
-      if (report.first_outside.size() < longest_list)
-        report.first_outside.push_back(v);
+      if (report.first_outside.size() < longest_list) report.first_outside.push_back(v);
     }
   }
   const double mean = double(report.vertices) / Atlas::number_of_charts;
   if (mean > 0)
     for (std::size_t n : report.charts.chart_counts)
-      report.largest_deviation = std::max(report.largest_deviation, std::abs(n / mean - 1));
+      report.largest_deviation = (std::max)(report.largest_deviation, std::abs(n / mean - 1));
   return report;
 }
 

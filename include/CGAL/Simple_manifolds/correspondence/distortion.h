@@ -8,12 +8,12 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_DISTORTION_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_DISTORTION_H
 
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/bounding_cube.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/domain_geometry.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/variation.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/domain_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/bounding_cube.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/variation.h>
 
 #include <CGAL/assertions.h>
 
@@ -41,11 +41,11 @@ namespace Simple_manifolds {
 /// surfaces are scaled to the same total area. Means are weighted by the area in space; faces without
 /// area in space are left out.
 struct Distortion {
-  double angle_mean = 0;           ///< of sigma1 / sigma2: 1 when conformal
-  double angle_p99 = 0;            ///< its weighted 99th percentile
-  double angle_max = 0;            ///< its largest value
-  double area_mean_abs_log10 = 0;  ///< of |log10 (share of the domain's area / share of the mesh's area)|
-  double area_max_abs_log10 = 0;   ///< its largest value
+  double angle_mean = 0;          ///< of sigma1 / sigma2: 1 when conformal
+  double angle_p99 = 0;           ///< its weighted 99th percentile
+  double angle_max = 0;           ///< its largest value
+  double area_mean_abs_log10 = 0; ///< of |log10 (share of the domain's area / share of the mesh's area)|
+  double area_max_abs_log10 = 0;  ///< its largest value
   /// Mean of (sigma1^2 + sigma2^2 + sigma1^-2 + sigma2^-2) / 4: 1 when isometric, else larger.
   double symmetric_dirichlet = 0;
   /// 1 / mean of (sigma1^-2 + sigma2^-2) / 2, the L2 stretch efficiency: 1 is best (Sander et al. 2001).
@@ -77,7 +77,7 @@ struct Face_maps {
   std::vector<double> flat_area;   // of the flat domain triangle
   std::vector<double> domain_area; // on the sphere the spherical one
   std::size_t zero_area_faces = 0;
-  double smallest_domain_area = std::numeric_limits<double>::max();
+  double smallest_domain_area = (std::numeric_limits<double>::max)();
 };
 
 // The edge vectors d and e of a triangle in its own plane, d along the first axis.
@@ -106,9 +106,10 @@ Face_maps face_maps(const Atlas& atlas, const std::vector<Eigen::Vector3d>& poin
     const auto& a = domain_points[t[0]];
     const auto& b = domain_points[t[1]];
     const auto& c = domain_points[t[2]];
-    const Eigen::Vector3d p = scale * points[t[0]], d = scale * points[t[1]] - p, e = scale * points[t[2]] - p;
+    const Eigen::Vector3d p = scale * points[t[0]], d = scale * points[t[1]] - p,
+                          e = scale * points[t[2]] - p;
     const double area = d.cross(e).norm() / 2, domain_area = signed_area(atlas, a, b, c);
-    maps.smallest_domain_area = std::min(maps.smallest_domain_area, domain_area);
+    maps.smallest_domain_area = (std::min)(maps.smallest_domain_area, domain_area);
     if (!(area > 0)) {
       ++maps.zero_area_faces;
       continue;
@@ -128,8 +129,7 @@ Face_maps face_maps(const Atlas& atlas, const std::vector<Eigen::Vector3d>& poin
 inline double sum(const std::vector<double>& values)
 {
   double s = 0;
-  for (double x : values)
-    s += x;
+  for (double x : values) s += x;
   return s;
 }
 
@@ -150,7 +150,7 @@ inline std::pair<double, double> singular_values(const Eigen::Matrix2d& m)
   const double p = std::hypot(m(0, 0) + m(1, 1), m(0, 1) - m(1, 0));
   const double q = std::hypot(m(0, 0) - m(1, 1), m(0, 1) + m(1, 0));
   const double large = (p + q) / 2, small = std::abs(p - q) / 2;
-  return {large, large > 0 ? std::min(small, determinant / large) : small}; // the quotient is more precise
+  return {large, large > 0 ? (std::min)(small, determinant / large) : small}; // the quotient is more precise
 }
 
 // The least value whose cumulated weight reaches the share q of all the weight.
@@ -158,16 +158,14 @@ inline double weighted_percentile(const std::vector<double>& value, const std::v
                                   double q)
 {
   std::vector<std::size_t> order(value.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    order[i] = i;
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t i, std::size_t j) { return value[i] < value[j]; });
   std::vector<double> cumulated;
   double s = 0;
-  for (std::size_t i : order)
-    cumulated.push_back(s += weight[i]);
+  for (std::size_t i : order) cumulated.push_back(s += weight[i]);
   const std::size_t i = std::lower_bound(cumulated.begin(), cumulated.end(), q * s) - cumulated.begin();
-  return value[order[std::min(i, order.size() - 1)]];
+  return value[order[(std::min)(i, order.size() - 1)]];
 }
 
 inline Distortion distortion_in_metric(const Face_maps& maps, const Eigen::Matrix2d& metric)
@@ -176,8 +174,7 @@ inline Distortion distortion_in_metric(const Face_maps& maps, const Eigen::Matri
   d.metric = metric;
   d.zero_area_faces = maps.zero_area_faces;
   d.smallest_domain_area = maps.smallest_domain_area;
-  if (maps.area.empty())
-    return d;
+  if (maps.area.empty()) return d;
   const Eigen::Matrix2d root = metric.llt().matrixU();
   const double area = sum(maps.area), domain_area = sum(maps.domain_area);
   const double scale = area / sum(maps.flat_area); // of squared lengths, to equal total areas
@@ -190,9 +187,9 @@ inline Distortion distortion_in_metric(const Face_maps& maps, const Eigen::Matri
     const double log_area = std::abs(std::log10(maps.domain_area[i] / domain_area / w));
     angle[i] = s1 / s2;
     d.angle_mean += w * angle[i];
-    d.angle_max = std::max(d.angle_max, angle[i]);
+    d.angle_max = (std::max)(d.angle_max, angle[i]);
     d.area_mean_abs_log10 += w * log_area;
-    d.area_max_abs_log10 = std::max(d.area_max_abs_log10, log_area);
+    d.area_max_abs_log10 = (std::max)(d.area_max_abs_log10, log_area);
     d.symmetric_dirichlet += w * (scale * squares + inverses / scale) / 4;
     inverse_squares += w * inverses / scale / 2;
   }
@@ -255,29 +252,28 @@ Chart_report chart_report(const Atlas& atlas, const std::vector<typename Atlas::
 {
   std::vector<char> used(domain_points.size(), false);
   for (const Triangle& t : faces)
-    for (int v : t)
-      used[v] = true;
+    for (int v : t) used[v] = true;
   Chart_report report;
   report.chart_counts.resize(Atlas::number_of_charts);
   const std::vector<internal::Chart_mask> stars = internal::charts_of_stars(atlas, domain_points, faces);
   for (std::size_t v = 0; v < domain_points.size(); ++v) {
-    if (!used[v])
-      continue;
+    if (!used[v]) continue;
     ++report.chart_counts[atlas.tile(domain_points[v])];
     report.stars_without_chart += stars[v] == 0;
   }
   for (const Triangle& t : faces)
-    report.faces_without_chart
-      += internal::charts_of_face(atlas, domain_points[t[0]], domain_points[t[1]], domain_points[t[2]]) == 0;
+    report.faces_without_chart +=
+      internal::charts_of_face(atlas, domain_points[t[0]], domain_points[t[1]], domain_points[t[2]]) == 0;
 
   std::size_t sum = 0, largest = 0;
   for (std::size_t n : report.chart_counts) {
     sum += n;
-    largest = std::max(largest, n);
+    largest = (std::max)(largest, n);
   }
   if (sum > 0) {
     report.variation = internal::variation(report.chart_counts);
-    report.largest_over_mean = static_cast<double>(largest * Atlas::number_of_charts) / static_cast<double>(sum);
+    report.largest_over_mean =
+      static_cast<double>(largest * Atlas::number_of_charts) / static_cast<double>(sum);
   }
   return report;
 }

@@ -23,7 +23,8 @@ namespace Simple_manifolds {
 /// \ingroup PkgSimpleManifoldsCorrespondence
 ///
 /// A map to the canonical surface of whatever genus the mesh has; use it with `std::visit`.
-using Any_map = std::variant<Manifold_map<Plane_atlas>, Manifold_map<Sphere_atlas>, Manifold_map<Torus_atlas>>;
+using Any_map =
+  std::variant<Manifold_map<Plane_atlas>, Manifold_map<Sphere_atlas>, Manifold_map<Torus_atlas>>;
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
 ///
@@ -42,8 +43,7 @@ Any_map map_to_canonical_surface(const FaceListGraph& mesh,
   internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
   if (!arrays.topology.is_closed())
     return internal::map_to_plane<ConcurrencyTag>(std::move(arrays), {}, {}, np);
-  if (arrays.topology.genus == 0)
-    return internal::map_to_sphere<ConcurrencyTag>(arrays, {}, np);
+  if (arrays.topology.genus == 0) return internal::map_to_sphere<ConcurrencyTag>(arrays, {}, np);
   if (arrays.topology.is_connected() && arrays.topology.genus > 1)
     throw Topology_error(Error_code::wrong_genus,
                          arrays.topology.sentence() + ": only genus 0 and 1 have a canonical surface");

@@ -8,9 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_PLANE_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_PLANE_H
 
-#include <CGAL/Simple_manifolds/correspondence/internal/Square_border.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/Square_geometry.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/map_mesh.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/Plane_border.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/Plane_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_mesh.h>
 
 /// \file
 
@@ -26,13 +26,12 @@ Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
                                        const std::vector<int>& corners, const NamedParameters& np)
 {
   require_disk(a.topology);
-  Square_border disk(std::move(a.points), std::move(a.triangles), corners);
+  Plane_border disk(std::move(a.points), std::move(a.triangles), corners);
   const std::vector<unsigned char> disk_sides = disk.sides();
   const int n = static_cast<int>(disk.points().size()), m = static_cast<int>(disk.triangles().size());
   const auto [points, triangles] = std::move(disk).closed();
-  Embedding_problem<Eigen::Vector2d> problem{points, triangles, n, std::move(a.vertex_weight), landmarks};
-  if (!problem.vertex_weight.empty())
-    problem.vertex_weight.resize(n + 1, 1.);
+  Layout_problem<Eigen::Vector2d> problem{points, triangles, n, std::move(a.vertex_weight), landmarks};
+  if (!problem.vertex_weight.empty()) problem.vertex_weight.resize(n + 1, 1.);
   return certified_map<Plane_atlas, ConcurrencyTag>(
     problem, np,
     [&](const std::vector<int>& order) {
@@ -44,17 +43,17 @@ Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
         else
           sides[i] = disk_sides[order[i]];
       }
-      return Square_geometry(std::move(sides), apex);
+      return Plane_geometry(std::move(sides), apex);
     },
-    [&](const Collapse_hierarchy&, const Square_geometry& geometry, const auto& number) {
+    [&](const Collapse_hierarchy&, const Plane_geometry& geometry, const auto& number) {
       std::vector<Eigen::Vector2d> domain_points(n);
-      for (int v = 0; v < n; ++v)
-        domain_points[v] = geometry.position(number(v));
+      for (int v = 0; v < n; ++v) domain_points[v] = geometry.position(number(v));
       return domain_points;
     },
     [&, &points = points, &triangles = triangles](std::vector<Eigen::Vector2d>&& domain_points) {
-      return Manifold_map<Plane_atlas>({points.begin(), points.begin() + n}, {triangles.begin(), triangles.begin() + m},
-                                       std::move(domain_points), a.number_of_input_vertices, a.number_of_virtual_faces);
+      return Manifold_map<Plane_atlas>({points.begin(), points.begin() + n},
+                                       {triangles.begin(), triangles.begin() + m}, std::move(domain_points),
+                                       a.number_of_input_vertices, a.number_of_virtual_faces);
     });
 }
 
@@ -82,12 +81,12 @@ Manifold_map<Plane_atlas> map_to_plane(const FaceListGraph& mesh,
   internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
   std::vector<int> corners;
   if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::corners_t>::value)
-    corners = internal::indices_of(mesh, arrays,
-                                   CGAL::parameters::get_parameter_reference(np, internal_np::corners));
+    corners =
+      internal::indices_of(mesh, arrays, CGAL::parameters::get_parameter_reference(np, internal_np::corners));
   const auto landmarks = internal::landmarks_of<Eigen::Vector2d>(mesh, arrays, np);
   const std::vector<int> index = std::move(arrays.index);
-  Manifold_map<Plane_atlas> map
-    = internal::map_to_plane<ConcurrencyTag>(std::move(arrays), landmarks, corners, np);
+  Manifold_map<Plane_atlas> map =
+    internal::map_to_plane<ConcurrencyTag>(std::move(arrays), landmarks, corners, np);
   internal::write_domain_points(mesh, index, map, np);
   return map;
 }

@@ -8,8 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_SPHERE_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_SPHERE_H
 
-#include <CGAL/Simple_manifolds/correspondence/internal/Spherical_geometry.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/map_mesh.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/Sphere_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_mesh.h>
 
 /// \file
 
@@ -25,13 +25,12 @@ Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
 {
   require_closed_genus(a.topology, Sphere_atlas::genus);
   const int n = static_cast<int>(a.points.size());
-  const Embedding_problem<Eigen::Vector3d> problem{a.points, a.triangles, -1, a.vertex_weight, landmarks};
+  const Layout_problem<Eigen::Vector3d> problem{a.points, a.triangles, -1, a.vertex_weight, landmarks};
   return certified_map<Sphere_atlas, ConcurrencyTag>(
-    problem, np, [n](const std::vector<int>&) { return Spherical_geometry(n); },
-    [&](const Collapse_hierarchy&, const Spherical_geometry& geometry, const auto& number) {
+    problem, np, [n](const std::vector<int>&) { return Sphere_geometry(n); },
+    [&](const Collapse_hierarchy&, const Sphere_geometry& geometry, const auto& number) {
       std::vector<Eigen::Vector3d> domain_points(n);
-      for (int v = 0; v < n; ++v)
-        domain_points[v] = geometry.position(number(v));
+      for (int v = 0; v < n; ++v) domain_points[v] = geometry.position(number(v));
       return domain_points;
     },
     [&](std::vector<Eigen::Vector3d>&& domain_points) {

@@ -8,9 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_TORUS_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_TORUS_H
 
-#include <CGAL/Simple_manifolds/correspondence/internal/Torus_geometry.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/map_mesh.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/split_edges.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/Torus_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_mesh.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/split_edges.h>
 
 /// \file
 
@@ -36,7 +36,8 @@ struct Torus_placement {
 // differences are below 1/2. Only meshes of a few dozen vertices have longer ones.
 // The virtual faces are the last ones, before and after.
 inline void split_long_edges(std::vector<Lifted_face>& faces, std::vector<Eigen::Vector3d>& points,
-                             std::vector<Eigen::Vector2d>& domain_points, std::size_t& number_of_virtual_faces)
+                             std::vector<Eigen::Vector2d>& domain_points,
+                             std::size_t& number_of_virtual_faces)
 {
   const auto is_long = [](const Lifted_corner& a, const Lifted_corner& b) {
     return !((b.lift - a.lift).cwiseAbs().maxCoeff() < 0.5);
@@ -45,26 +46,22 @@ inline void split_long_edges(std::vector<Lifted_face>& faces, std::vector<Eigen:
     bool any = false;
     for (const Lifted_face& f : faces)
       any = any || is_long(f[0], f[1]) || is_long(f[1], f[2]) || is_long(f[2], f[0]);
-    if (!any)
-      return;
+    if (!any) return;
     std::vector<Triangle> triangles;
-    for (const Lifted_face& f : faces)
-      triangles.push_back({f[0].vertex, f[1].vertex, f[2].vertex});
+    for (const Lifted_face& f : faces) triangles.push_back({f[0].vertex, f[1].vertex, f[2].vertex});
     const Corner_table table(static_cast<int>(points.size()), triangles);
     std::vector<int> middle(3 * faces.size(), -1);
     std::vector<Lifted_face> result;
     std::size_t real = 0;
     for (std::size_t f = 0; f < faces.size(); ++f) {
-      if (f + number_of_virtual_faces == faces.size())
-        real = result.size();
+      if (f + number_of_virtual_faces == faces.size()) real = result.size();
       std::array<bool, 3> split;
       std::array<Lifted_corner, 3> corner;
       for (int k = 0; k < 3; ++k) {
         const int h = static_cast<int>(3 * f) + k;
         const Lifted_corner &a = faces[f][k], &b = faces[f][(k + 1) % 3];
         split[k] = is_long(a, b);
-        if (!split[k])
-          continue;
+        if (!split[k]) continue;
         const Eigen::Vector2d lift = (a.lift + b.lift) / 2; // exact: one more binary place
         if (middle[h] < 0) {
           middle[h] = middle[table.opposite(h)] = static_cast<int>(points.size());
@@ -99,7 +96,7 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a,
 {
   require_closed_genus(a.topology, Torus_atlas::genus);
   const int n = static_cast<int>(a.points.size()), m = static_cast<int>(a.triangles.size());
-  const Embedding_problem<Eigen::Vector2d> problem{a.points, a.triangles, -1, a.vertex_weight, landmarks};
+  const Layout_problem<Eigen::Vector2d> problem{a.points, a.triangles, -1, a.vertex_weight, landmarks};
   return certified_map<Torus_atlas, ConcurrencyTag>(
     problem, np, [n, m](const std::vector<int>&) { return Torus_geometry(n, m); },
     [&](const Collapse_hierarchy& mesh, Torus_geometry& geometry, const auto& number) {
@@ -107,11 +104,11 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a,
       const Corner_table& table = mesh.table();
       bool has_long_edge = false;
       for (int h = 0; h < 3 * m && !has_long_edge; ++h)
-        has_long_edge = !((geometry.lifted_target(table, h) - geometry.position(table.origin(h)))
-                            .cwiseAbs().maxCoeff() < 0.5);
+        has_long_edge =
+          !((geometry.lifted_target(table, h) - geometry.position(table.origin(h))).cwiseAbs().maxCoeff() <
+            0.5);
       Torus_placement placed{std::vector<Eigen::Vector2d>(n), {}};
-      for (int v = 0; v < n; ++v)
-        placed.domain_points[v] = geometry.position(number(v));
+      for (int v = 0; v < n; ++v) placed.domain_points[v] = geometry.position(number(v));
       if (has_long_edge)
         for (const Triangle& t : a.triangles) {
           const int h = half_edge_between(table, number(t[0]), number(t[1]));
@@ -131,8 +128,7 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a,
       std::size_t number_of_virtual_faces = a.number_of_virtual_faces;
       split_long_edges(faces, points, domain_points, number_of_virtual_faces);
       std::vector<Triangle> triangles;
-      for (const Lifted_face& f : faces)
-        triangles.push_back({f[0].vertex, f[1].vertex, f[2].vertex});
+      for (const Lifted_face& f : faces) triangles.push_back({f[0].vertex, f[1].vertex, f[2].vertex});
       return Manifold_map<Torus_atlas>(std::move(points), std::move(triangles), std::move(domain_points),
                                        a.number_of_input_vertices, number_of_virtual_faces);
     });

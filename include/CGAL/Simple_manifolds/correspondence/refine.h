@@ -10,8 +10,8 @@
 
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/Splittable_mesh.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/Star_repair.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/Star_repair.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/Splittable_mesh.h>
 #include <CGAL/Simple_manifolds/parameters.h>
 
 #include <algorithm>
@@ -56,7 +56,8 @@ public:
   explicit Star_refinement(const Manifold_map<Atlas>& map)
     : mesh_(static_cast<int>(map.number_of_vertices()), map.faces()), points_(map.points()),
       domain_points_(map.domain_points()), repair_(mesh_, domain_points_)
-  {}
+  {
+  }
 
   // Calls progress(fraction).
   template <class Progress>
@@ -71,12 +72,10 @@ public:
       bool has_split = false;
       std::vector<int> touched = violators;
       for (int v : violators) {
-        if (points_.size() >= most_vertices)
-          return;
+        if (points_.size() >= most_vertices) return;
         has_split = split_star(v, most_vertices, touched) || has_split;
       }
-      if (!has_split)
-        return;
+      if (!has_split) return;
       repair_.make_unique(touched);
       violators.swap(touched);
     }
@@ -101,8 +100,7 @@ private:
   bool split_star(int v, std::size_t most_vertices, std::vector<int>& touched)
   {
     const Star_criteria s = repair_.criteria(v);
-    if (s.chart != -1 && s.contains_vertex)
-      return false;
+    if (s.chart != -1 && s.contains_vertex) return false;
     mesh_.ring(v, ring_);
     std::vector<Edge> edges = s.chart == -1 ? spokes(v) : edges_of_flipped_faces(v, s.chart);
     std::stable_sort(edges.begin(), edges.end(),
@@ -111,14 +109,12 @@ private:
     int count = 0;
     for (const Edge& e : edges) {
       const Edge longest = s.chart == -1 ? e : longest_of_faces(e);
-      if (!split(longest.from, longest.to))
-        continue;
+      if (!split(longest.from, longest.to)) continue;
       const int m = static_cast<int>(points_.size()) - 1;
       mesh_.ring(m, ring_);
       touched.push_back(m);
       touched.insert(touched.end(), ring_.begin(), ring_.end());
-      if (++count == most || points_.size() >= most_vertices)
-        break;
+      if (++count == most || points_.size() >= most_vertices) break;
     }
     return count > 0;
   }
@@ -132,8 +128,7 @@ private:
   std::vector<Edge> spokes(int v) const
   {
     std::vector<Edge> edges;
-    for (int w : ring_)
-      edges.push_back(edge(v, w));
+    for (int w : ring_) edges.push_back(edge(v, w));
     return edges;
   }
 
@@ -145,10 +140,8 @@ private:
       const auto [left, right] = mesh_.opposite_corners(e.from, e.to);
       Edge longest = e;
       for (const Edge& f : {edge(e.from, left), edge(e.to, left), edge(e.from, right), edge(e.to, right)})
-        if (f.size > longest.size)
-          longest = f;
-      if (longest.from == e.from && longest.to == e.to)
-        return e;
+        if (f.size > longest.size) longest = f;
+      if (longest.from == e.from && longest.to == e.to) return e;
       e = longest;
     }
   }
@@ -157,8 +150,7 @@ private:
   std::vector<Edge> edges_of_flipped_faces(int v, int chart) const
   {
     std::vector<Point> ring;
-    for (int w : ring_)
-      ring.push_back(domain_points_[w]);
+    for (int w : ring_) ring.push_back(domain_points_[w]);
     std::vector<Eigen::Vector2d> star;
     star_in_chart(Atlas(), chart, domain_points_[v], ring, star);
     std::vector<Edge> edges;
@@ -176,13 +168,12 @@ private:
   bool split(int v, int w)
   {
     const auto [left, right] = mesh_.opposite_corners(v, w);
-    const std::vector<Point> star
-      = {domain_points_[v], domain_points_[right], domain_points_[w], domain_points_[left]};
+    const std::vector<Point> star = {domain_points_[v], domain_points_[right], domain_points_[w],
+                                     domain_points_[left]};
     Point middle = edge_middle(Atlas(), star[0], star[2]);
     if (!repair_.is_star_positive(middle, star)) {
       const auto p = repair_.kernel_centroid(middle, star);
-      if (!p)
-        return false;
+      if (!p) return false;
       middle = *p;
     }
     points_.push_back(points_[v] / 2 + points_[w] / 2);
@@ -225,21 +216,19 @@ Manifold_map<Atlas> refine(const Manifold_map<Atlas>& map,
 {
   if constexpr (!Atlas::is_closed) {
     return map;
-  }
-  else {
+  } else {
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter_reference;
     Default_visitor default_visitor;
-    auto& visitor
-      = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+    auto& visitor =
+      choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
 
     visitor.start_phase("refine");
     internal::Star_refinement<Atlas> refinement(map);
     refinement.run(2 * map.number_of_input_vertices() + 500,
                    [&](double fraction) { visitor.progress(fraction); });
     visitor.end_phase();
-    if (refinement.domain_points() == map.domain_points())
-      return map;
+    if (refinement.domain_points() == map.domain_points()) return map;
     const std::size_t first_virtual_face = map.number_of_faces() - map.number_of_virtual_faces();
     return std::move(refinement).map(map.number_of_input_vertices(), static_cast<int>(first_virtual_face));
   }

@@ -9,9 +9,9 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_TOPOLOGY_H
 
 #include <CGAL/Simple_manifolds/Error.h>
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/Polygon_soup.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/half_edges.h>
+#include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/internal/Polygon_soup.h>
+#include <CGAL/Simple_manifolds/internal/half_edges.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -50,10 +50,11 @@ struct Mesh_topology {
   std::string sentence() const
   {
     const std::string loops = border_loops == 1 ? " border loop, is " : " border loops, is ";
-    const std::string border = is_closed() ? "the mesh is closed, "
-                                           : "the mesh has " + std::to_string(border_loops) + loops;
+    const std::string border =
+      is_closed() ? "the mesh is closed, " : "the mesh has " + std::to_string(border_loops) + loops;
     const std::string pieces = is_connected() ? "connected, genus " + std::to_string(genus)
-      : "in " + std::to_string(components) + " components, genus " + std::to_string(genus) + " in all";
+                                              : "in " + std::to_string(components) + " components, genus " +
+                                                  std::to_string(genus) + " in all";
     return border + pieces + " (V - E + F = " + std::to_string(euler_characteristic) + ")";
   }
 };
@@ -66,19 +67,17 @@ std::size_t number_of_components(const Soup& soup)
   std::vector<int> parent(soup.number_of_vertices());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&parent](int v) {
-    while (parent[v] != v)
-      v = parent[v] = parent[parent[v]];
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
     return v;
   };
   std::vector<char> used(parent.size(), false);
   for (int h = 0; h < soup.number_of_half_edges(); ++h) {
     used[soup.source(h)] = true;
     const int a = root(soup.source(h)), b = root(soup.target(h));
-    parent[std::max(a, b)] = std::min(a, b);
+    parent[(std::max)(a, b)] = (std::min)(a, b);
   }
   std::size_t n = 0;
-  for (std::size_t v = 0; v < parent.size(); ++v)
-    n += used[v] && parent[v] == static_cast<int>(v);
+  for (std::size_t v = 0; v < parent.size(); ++v) n += used[v] && parent[v] == static_cast<int>(v);
   return n;
 }
 
@@ -86,16 +85,14 @@ std::size_t number_of_components(const Soup& soup)
 template <class Soup>
 Mesh_topology topology_of_soup(const Soup& soup, std::vector<int>& opposite)
 {
-  if (soup.number_of_faces() == 0)
-    throw Topology_error(Error_code::empty_mesh, "the mesh has no faces");
+  if (soup.number_of_faces() == 0) throw Topology_error(Error_code::empty_mesh, "the mesh has no faces");
   require_proper_faces(soup);
   opposite = opposite_half_edges(soup);
   require_no_pillow(soup, opposite);
   require_manifold_vertices(soup, opposite);
 
   std::vector<char> used(soup.number_of_vertices(), false);
-  for (int h = 0; h < soup.number_of_half_edges(); ++h)
-    used[soup.source(h)] = true;
+  for (int h = 0; h < soup.number_of_half_edges(); ++h) used[soup.source(h)] = true;
   const std::vector<std::vector<int>> loops = border_loops(soup, opposite);
 
   Mesh_topology t;
@@ -105,14 +102,14 @@ Mesh_topology topology_of_soup(const Soup& soup, std::vector<int>& opposite)
   t.border_loops = loops.size();
   for (const auto& loop : loops) {
     t.border_edges += loop.size();
-    t.longest_border = std::max(t.longest_border, loop.size());
+    t.longest_border = (std::max)(t.longest_border, loop.size());
   }
   t.edges = (opposite.size() + t.border_edges) / 2;
   t.components = number_of_components(soup);
   t.euler_characteristic = static_cast<long>(t.vertices + t.faces) - static_cast<long>(t.edges);
   // V - E + F = 2 components - 2 genus - loops
-  t.genus = (2 * static_cast<long>(t.components) - static_cast<long>(t.border_loops)
-             - t.euler_characteristic) / 2;
+  t.genus =
+    (2 * static_cast<long>(t.components) - static_cast<long>(t.border_loops) - t.euler_characteristic) / 2;
   return t;
 }
 
@@ -155,12 +152,9 @@ inline void require_closed_genus(const Mesh_topology& topology, int genus)
   const auto fail = [&](Error_code code, const std::string& needed) {
     throw Topology_error(code, topology.sentence() + ": " + what + " " + needed);
   };
-  if (!topology.is_connected())
-    fail(Error_code::several_components, "is connected");
-  if (!topology.is_closed())
-    fail(Error_code::not_closed, "has no border");
-  if (topology.genus != genus)
-    fail(Error_code::wrong_genus, "has genus " + std::to_string(genus));
+  if (!topology.is_connected()) fail(Error_code::several_components, "is connected");
+  if (!topology.is_closed()) fail(Error_code::not_closed, "has no border");
+  if (topology.genus != genus) fail(Error_code::wrong_genus, "has genus " + std::to_string(genus));
 }
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
@@ -173,14 +167,10 @@ inline void require_disk(const Mesh_topology& topology)
   const auto fail = [&](Error_code code, const std::string& needed) {
     throw Topology_error(code, topology.sentence() + ": a disk " + needed);
   };
-  if (!topology.is_connected())
-    fail(Error_code::several_components, "is connected");
-  if (topology.is_closed())
-    fail(Error_code::no_border, "has a border");
-  if (topology.border_loops != 1)
-    fail(Error_code::several_border_loops, "has one border loop");
-  if (topology.genus != 0)
-    fail(Error_code::wrong_genus, "has genus 0");
+  if (!topology.is_connected()) fail(Error_code::several_components, "is connected");
+  if (topology.is_closed()) fail(Error_code::no_border, "has a border");
+  if (topology.border_loops != 1) fail(Error_code::several_border_loops, "has one border loop");
+  if (topology.genus != 0) fail(Error_code::wrong_genus, "has genus 0");
 }
 
 } // namespace Simple_manifolds

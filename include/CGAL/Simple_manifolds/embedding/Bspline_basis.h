@@ -46,8 +46,7 @@ struct Bspline_basis {
       const typename Bspline_basis<D - 1, FT>::Values lower = Bspline_basis<D - 1, FT>::values(t);
       Values b;
       b[0] = (1 - t) * lower[0] * scale();
-      for(int r = 1; r < D; ++r)
-        b[r] = ((t + (D - r)) * lower[r - 1] + (1 - t + r) * lower[r]) * scale();
+      for (int r = 1; r < D; ++r) b[r] = ((t + (D - r)) * lower[r - 1] + (1 - t + r) * lower[r]) * scale();
       b[D] = t * lower[D - 1] * scale();
       return b;
     }
@@ -77,8 +76,7 @@ struct Bspline_basis {
   {
     std::array<int, D + 2> c{};
     c[0] = 1;
-    for(int k = 0; k <= D; ++k)
-      c[k + 1] = c[k] * (D + 1 - k) / (k + 1);
+    for (int k = 0; k <= D; ++k) c[k + 1] = c[k] * (D + 1 - k) / (k + 1);
     return c;
   }
 
@@ -88,8 +86,7 @@ private:
   {
     Values b;
     b[0] = -lower[0];
-    for(int r = 1; r < D; ++r)
-      b[r] = lower[r - 1] - lower[r];
+    for (int r = 1; r < D; ++r) b[r] = lower[r - 1] - lower[r];
     b[D] = lower[D > 0 ? D - 1 : 0];
     return b;
   }
@@ -110,16 +107,25 @@ template <class Function>
 decltype(auto) with_degree(int degree, Function&& f)
 {
   CGAL_precondition(degree >= 1 && degree <= maximum_spline_degree);
-  switch(degree) {
-    case 1: return f(std::integral_constant<int, 1>());
-    case 2: return f(std::integral_constant<int, 2>());
-    case 4: return f(std::integral_constant<int, 4>());
-    case 5: return f(std::integral_constant<int, 5>());
-    case 6: return f(std::integral_constant<int, 6>());
-    case 7: return f(std::integral_constant<int, 7>());
-    case 8: return f(std::integral_constant<int, 8>());
-    case 9: return f(std::integral_constant<int, 9>());
-    default: return f(std::integral_constant<int, 3>());
+  switch (degree) {
+  case 1:
+    return f(std::integral_constant<int, 1>());
+  case 2:
+    return f(std::integral_constant<int, 2>());
+  case 4:
+    return f(std::integral_constant<int, 4>());
+  case 5:
+    return f(std::integral_constant<int, 5>());
+  case 6:
+    return f(std::integral_constant<int, 6>());
+  case 7:
+    return f(std::integral_constant<int, 7>());
+  case 8:
+    return f(std::integral_constant<int, 8>());
+  case 9:
+    return f(std::integral_constant<int, 9>());
+  default:
+    return f(std::integral_constant<int, 3>());
   }
 }
 

@@ -10,8 +10,8 @@
 
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/embedding/Bspline_basis.h>
-#include <CGAL/Simple_manifolds/embedding/internal/Leaf_table.h>
-#include <CGAL/Simple_manifolds/embedding/internal/Tensor_sum.h>
+#include <CGAL/Simple_manifolds/embedding/internal/evaluation/Leaf_table.h>
+#include <CGAL/Simple_manifolds/embedding/internal/evaluation/Tensor_sum.h>
 
 #include <CGAL/assertions.h>
 
@@ -64,8 +64,7 @@ public:
   {
     CGAL_precondition(degree >= 1 && degree <= maximum_spline_degree);
     CGAL_precondition(!levels_.empty() && levels_.size() <= std::size_t(maximum_levels));
-    for(std::size_t k = 0; k < levels_.size(); ++k)
-      CGAL_precondition(is_valid(k));
+    for (std::size_t k = 0; k < levels_.size(); ++k) CGAL_precondition(is_valid(k));
     leaves_ = internal::Leaf_table(degree, levels_);
   }
 
@@ -80,8 +79,7 @@ public:
   std::size_t number_of_coefficients() const
   {
     std::size_t n = 0;
-    for(const Level& level : levels_)
-      n += level.indices.size();
+    for (const Level& level : levels_) n += level.indices.size();
     return n;
   }
 
@@ -126,10 +124,10 @@ private:
     const int side = level.cells + degree_;
     const bool fits = k == 0 ? level.cells >= 1 : level.cells == 2 * levels_[k - 1].cells;
     return fits && side <= 46340 // squares are integers
-        && level.indices.size() == level.coefficients.size()
-        && std::adjacent_find(level.indices.begin(), level.indices.end(), std::greater_equal<int>())
-             == level.indices.end()
-        && (level.indices.empty() || (level.indices.front() >= 0 && level.indices.back() < side * side));
+           && level.indices.size() == level.coefficients.size() &&
+           std::adjacent_find(level.indices.begin(), level.indices.end(), std::greater_equal<int>()) ==
+             level.indices.end() &&
+           (level.indices.empty() || (level.indices.front() >= 0 && level.indices.back() < side * side));
   }
 
   int degree_;

@@ -97,8 +97,8 @@ inline Eigen::Matrix2d shape_operator(const Jet& e)
 {
   const Fundamental_form g = first_fundamental_form(e), b = second_fundamental_form(e);
   Eigen::Matrix2d s;
-  s << g.vv * b.uu - g.uv * b.uv, g.vv * b.uv - g.uv * b.vv,
-       g.uu * b.uv - g.uv * b.uu, g.uu * b.vv - g.uv * b.uv;
+  s << g.vv * b.uu - g.uv * b.uv, g.vv * b.uv - g.uv * b.vv, g.uu * b.uv - g.uv * b.uu,
+    g.uu * b.vv - g.uv * b.uv;
   return s / e.u.cross(e.v).squaredNorm();
 }
 

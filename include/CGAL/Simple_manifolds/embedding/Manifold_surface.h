@@ -13,10 +13,10 @@
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/atlas/Partition_of_unity.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/parallel_for.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
-#include <CGAL/Simple_manifolds/embedding/internal/evaluate_batch.h>
+#include <CGAL/Simple_manifolds/embedding/internal/evaluation/evaluate_batch.h>
+#include <CGAL/Simple_manifolds/internal/parallel_for.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -75,8 +75,7 @@ public:
   int smoothness() const
   {
     int k = charts_.front().smoothness();
-    for(const Chart_embedding& e : charts_)
-      k = (std::min)(k, e.smoothness());
+    for (const Chart_embedding& e : charts_) k = (std::min)(k, e.smoothness());
     return Atlas::number_of_charts == 1 ? k : (std::min)(k, Bump::smoothness);
   }
 
@@ -94,7 +93,7 @@ public:
     } else {
       double weight = 0;
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for(const Chart_point& q : atlas().charts_at(p)) {
+      for (const Chart_point& q : atlas().charts_at(p)) {
         const double w = partition_.proto(q.uv);
         weight += w;
         sum += w * charts_[q.chart].point(q.uv);
@@ -124,7 +123,10 @@ public:
 
   /// The unit normal; outward for an outward oriented mesh. `Point`: a domain point or a chart point.
   template <class Point>
-  Eigen::Vector3d normal(const Point& p) const { return Simple_manifolds::normal(jet<1>(p)); }
+  Eigen::Vector3d normal(const Point& p) const
+  {
+    return Simple_manifolds::normal(jet<1>(p));
+  }
 
   /// The principal curvatures k1 >= k2.
   template <class Point>
@@ -142,11 +144,17 @@ public:
 
   /// The mean curvature H = (k1 + k2) / 2.
   template <class Point>
-  double mean_curvature(const Point& p) const { return Simple_manifolds::mean_curvature(jet(p)); }
+  double mean_curvature(const Point& p) const
+  {
+    return Simple_manifolds::mean_curvature(jet(p));
+  }
 
   /// The Gaussian curvature K = k1 k2.
   template <class Point>
-  double gaussian_curvature(const Point& p) const { return Simple_manifolds::gaussian_curvature(jet(p)); }
+  double gaussian_curvature(const Point& p) const
+  {
+    return Simple_manifolds::gaussian_curvature(jet(p));
+  }
 
   /// The best chart of p, with the coordinates there.
   Chart_point best_chart_point(const Domain_point& p) const
@@ -206,16 +214,14 @@ private:
     std::vector<Point> points;
     std::vector<Result> results;
     auto it = std::begin(range);
-    while(it != std::end(range)) {
+    while (it != std::end(range)) {
       points.clear();
-      for(; it != std::end(range) && points.size() < chunk; ++it)
-        points.push_back(*it);
+      for (; it != std::end(range) && points.size() < chunk; ++it) points.push_back(*it);
       results.resize(points.size());
       internal::parallel_for<ConcurrencyTag>(0, int(points.size()), [&](int first, int last) {
         evaluate<Order>(&points[first], last - first, &results[first]);
       });
-      for(const Result& e : results)
-        *out++ = f(e);
+      for (const Result& e : results) *out++ = f(e);
     }
     return out;
   }
@@ -223,13 +229,13 @@ private:
   template <int Order, class Point, class Result>
   void evaluate(const Point* points, int n, Result* results) const
   {
-    if constexpr(internal::may_have_batches<Manifold_surface>)
-      if(internal::has_batches(*this)) {
+    if constexpr (internal::may_have_batches<Manifold_surface>)
+      if (internal::has_batches(*this)) {
         internal::evaluate_batch<Order>(*this, points, n, results);
         return;
       }
-    for(int k = 0; k < n; ++k)
-      if constexpr(Order == 0)
+    for (int k = 0; k < n; ++k)
+      if constexpr (Order == 0)
         results[k] = point(points[k]);
       else
         results[k] = jet<Order>(points[k]);
@@ -247,7 +253,7 @@ private:
     } else if constexpr (std::is_same_v<Atlas, Torus_atlas>) { // no changes of chart: they are translations
       Scalar_jet weight = Scalar_jet::zero();
       Jet sum = Jet::zero();
-      for(const Chart_point& q : atlas().charts_at(p.value)) {
+      for (const Chart_point& q : atlas().charts_at(p.value)) {
         const Scalar_jet w = partition_.proto_jet(q.uv);
         weight += w;
         sum += product(w, charts_[q.chart].template jet<Order>(q.uv));
@@ -256,8 +262,8 @@ private:
     } else {
       Scalar_jet weight = partition_.proto_jet(a.uv);
       Jet sum = product(weight, charts_[a.chart].template jet<Order>(a.uv));
-      for(int c = 0; c < Atlas::number_of_charts; ++c) {
-        if(c == a.chart || !atlas().contains(c, p.value)) // before any trigonometry
+      for (int c = 0; c < Atlas::number_of_charts; ++c) {
+        if (c == a.chart || !atlas().contains(c, p.value)) // before any trigonometry
           continue;
         const Transition_jet psi = atlas().chart(c).coordinates_jet(p);
         add(partition_.proto_jet(psi.value), charts_[c].template jet<Order>(psi.value), psi, weight, sum);
@@ -270,14 +276,12 @@ private:
   static Jet quotient_of_order(const Jet& sum, const Scalar_jet& weight)
   {
     Jet e = quotient(sum, weight);
-    if constexpr (Order < 2)
-      e.uu = e.uv = e.vv = Eigen::Vector3d::Zero();
+    if constexpr (Order < 2) e.uu = e.uv = e.vv = Eigen::Vector3d::Zero();
     return e;
   }
 
   // adds w and w E_c, seen through psi
-  static void add(const Scalar_jet& w, const Jet& e, const Transition_jet& psi,
-                                   Scalar_jet& weight, Jet& sum)
+  static void add(const Scalar_jet& w, const Jet& e, const Transition_jet& psi, Scalar_jet& weight, Jet& sum)
   {
     weight += compose(w, psi);
     sum += compose(product(w, e), psi);

@@ -57,7 +57,7 @@ public:
     const auto location = map_->to_mesh(p.value);
     const auto& face = map_->face(location.face);
     Eigen::Matrix3d q, x;
-    for(int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k) {
       q.col(k) = homogeneous(near(p.value, map_->domain_point(face[k])), 1);
       x.col(k) = map_->point(face[k]);
     }
@@ -65,11 +65,10 @@ public:
     const Eigen::Vector3d h = homogeneous(p.value, 1), hu = homogeneous(p.u, 0), hv = homogeneous(p.v, 0),
                           huu = homogeneous(p.uu, 0), huv = homogeneous(p.uv, 0), hvv = homogeneous(p.vv, 0);
     const auto sum = [&](const Eigen::Vector3d& y) { return (inverse * y).sum(); };
-    Jet e = quotient(Jet{numerator * h, numerator * hu, numerator * hv,
-                         numerator * huu, numerator * huv, numerator * hvv},
-                     Scalar_jet{sum(h), sum(hu), sum(hv), sum(huu), sum(huv), sum(hvv)});
-    if constexpr (Order < 2)
-      e.uu = e.uv = e.vv = Eigen::Vector3d::Zero();
+    Jet e = quotient(
+      Jet{numerator * h, numerator * hu, numerator * hv, numerator * huu, numerator * huv, numerator * hvv},
+      Scalar_jet{sum(h), sum(hu), sum(hv), sum(huu), sum(huv), sum(hvv)});
+    if constexpr (Order < 2) e.uu = e.uv = e.vv = Eigen::Vector3d::Zero();
     return e;
   }
 
@@ -105,8 +104,7 @@ template <class Map>
 std::vector<Map_embedding<Map>> map_embeddings(const Map& map)
 {
   std::vector<Map_embedding<Map>> charts;
-  for(int c = 0; c < Map::Atlas::number_of_charts; ++c)
-    charts.emplace_back(map, c);
+  for (int c = 0; c < Map::Atlas::number_of_charts; ++c) charts.emplace_back(map, c);
   return charts;
 }
 

@@ -33,8 +33,7 @@ public:
     : patches_(std::move(patches)), smoothness_(maximum_spline_degree)
   {
     CGAL_precondition(!patches_.empty());
-    for(const Spline_patch& patch : patches_)
-      smoothness_ = (std::min)(smoothness_, patch.smoothness());
+    for (const Spline_patch& patch : patches_) smoothness_ = (std::min)(smoothness_, patch.smoothness());
   }
 
   /// The base patch, then the offset patches.
@@ -43,8 +42,7 @@ public:
   std::size_t number_of_coefficients() const
   {
     std::size_t n = 0;
-    for(const Spline_patch& patch : patches_)
-      n += patch.number_of_coefficients();
+    for (const Spline_patch& patch : patches_) n += patch.number_of_coefficients();
     return n;
   }
 
@@ -55,8 +53,7 @@ public:
   Eigen::Vector3d point(const Eigen::Vector2d& uv) const
   {
     Eigen::Vector3d e = patches_.front().point(uv);
-    for(std::size_t k = 1; k < patches_.size(); ++k)
-      e += patches_[k].point(uv);
+    for (std::size_t k = 1; k < patches_.size(); ++k) e += patches_[k].point(uv);
     return e;
   }
 
@@ -65,8 +62,7 @@ public:
   Jet jet(const Eigen::Vector2d& uv) const
   {
     Jet e = patches_.front().jet<Order>(uv);
-    for(std::size_t k = 1; k < patches_.size(); ++k)
-      e += patches_[k].jet<Order>(uv);
+    for (std::size_t k = 1; k < patches_.size(); ++k) e += patches_[k].jet<Order>(uv);
     return e;
   }
 

@@ -10,7 +10,7 @@
 
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/embedding/Bspline_basis.h>
-#include <CGAL/Simple_manifolds/embedding/internal/Tensor_sum.h>
+#include <CGAL/Simple_manifolds/embedding/internal/evaluation/Tensor_sum.h>
 
 #include <CGAL/assertions.h>
 
@@ -57,7 +57,7 @@ public:
     per_cell_u_ = (nu - degree) / (support[2] - support[0]);
     per_cell_v_ = (nv - degree) / (support[3] - support[1]);
     controls_.assign(std::size_t(nu + 2 * degree) * row(), internal::Quad());
-    for(std::size_t k = 0; k < coefficients.size(); ++k) {
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
       const int index = indices_.empty() ? int(k) : indices_[k];
       CGAL_precondition(index >= 0 && index < nu * nv);
       controls_[place(index)] = internal::Quad(coefficients[k]);
@@ -86,7 +86,7 @@ public:
   std::vector<Eigen::Vector3d> coefficients() const
   {
     std::vector<Eigen::Vector3d> c(number_of_coefficients());
-    for(std::size_t k = 0; k < c.size(); ++k)
+    for (std::size_t k = 0; k < c.size(); ++k)
       c[k] = controls_[place(indices_.empty() ? int(k) : indices_[k])].vector();
     return c;
   }
@@ -105,8 +105,7 @@ public:
   Eigen::Vector3d point(const Eigen::Vector2d& uv) const
   {
     const Eigen::Vector2d x = cells(uv);
-    if(!is_inside(x))
-      return Eigen::Vector3d::Zero();
+    if (!is_inside(x)) return Eigen::Vector3d::Zero();
     return with_degree(degree_, [&](auto d) { return sum<decltype(d)::value, 0>(x).value; });
   }
 
@@ -117,8 +116,7 @@ public:
   {
     static_assert(Order == 1 || Order == 2, "a jet has order 1 or 2");
     const Eigen::Vector2d x = cells(uv);
-    if(!is_inside(x))
-      return Jet::zero();
+    if (!is_inside(x)) return Jet::zero();
     return with_degree(degree_, [&](auto d) { return sum<decltype(d)::value, Order>(x); });
   }
 
@@ -131,12 +129,11 @@ public:
     std::vector<Eigen::Vector3d> half(std::size_t(mu) * nv_, Eigen::Vector3d::Zero());
     std::vector<Eigen::Vector3d> full(std::size_t(mu) * mv, Eigen::Vector3d::Zero());
     for_each_two_scale(nu_, mu, [&](int i, int k, double c) {
-      for(int j = 0; j < nv_; ++j)
+      for (int j = 0; j < nv_; ++j)
         half[std::size_t(k) * nv_ + j] += c * controls_[place(i * nv_ + j)].vector();
     });
     for_each_two_scale(nv_, mv, [&](int j, int l, double c) {
-      for(int k = 0; k < mu; ++k)
-        full[std::size_t(k) * mv + l] += c * half[std::size_t(k) * nv_ + j];
+      for (int k = 0; k < mu; ++k) full[std::size_t(k) * mv + l] += c * half[std::size_t(k) * nv_ + j];
     });
     return Spline_patch(support_, degree_, mu, mv, full);
   }
@@ -156,10 +153,9 @@ private:
     with_degree(degree_, [&](auto d) {
       constexpr int D = decltype(d)::value;
       constexpr std::array<int, D + 2> c = Bspline_basis<D>::two_scale();
-      for(int i = 0; i < coarse; ++i)
-        for(int k = 0; k <= D + 1; ++k)
-          if(const int j = 2 * i - D + k; j >= 0 && j < fine)
-            f(i, j, c[k] / double(1 << D));
+      for (int i = 0; i < coarse; ++i)
+        for (int k = 0; k <= D + 1; ++k)
+          if (const int j = 2 * i - D + k; j >= 0 && j < fine) f(i, j, c[k] / double(1 << D));
     });
   }
 

@@ -11,10 +11,10 @@
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
-#include <CGAL/Simple_manifolds/embedding/internal/Error_measurement.h>
-#include <CGAL/Simple_manifolds/embedding/internal/Fit_samples.h>
-#include <CGAL/Simple_manifolds/embedding/internal/Hierarchical_fit.h>
-#include <CGAL/Simple_manifolds/embedding/internal/require_extent.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Error_measurement.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_fit.h>
+#include <CGAL/Simple_manifolds/internal/require_extent.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -63,13 +63,13 @@ enum class Marking {
 ///
 /// What a fit aims at.
 struct Fit_options {
-  double rms_error = 2e-3;            ///< tolerance of the root mean square, fraction of the diagonal
-  double max_error = 2e-2;            ///< tolerance of the maximum, fraction of the diagonal
-  int spline_degree = 3;              ///< 2 to 5
-  std::size_t max_controls = 200000;  ///< limit of the controls of all charts together
-  Refinement refinement = Refinement::ADAPTIVE; ///< where controls are added
+  double rms_error = 2e-3;           ///< tolerance of the root mean square, fraction of the diagonal
+  double max_error = 2e-2;           ///< tolerance of the maximum, fraction of the diagonal
+  int spline_degree = 3;             ///< 2 to 5
+  std::size_t max_controls = 200000; ///< limit of the controls of all charts together
+  Refinement refinement = Refinement::ADAPTIVE;  ///< where controls are added
   Joint_solve joint_solve = Joint_solve::AT_END; ///< when charts are fitted together
-  Marking marking = Marking::ALL_POINTS; ///< what is brought within the tolerance
+  Marking marking = Marking::ALL_POINTS;         ///< what is brought within the tolerance
   /// Weight of the thin plate energy, the integral of |E_c''|^2 over the charts; that of the mean squared
   /// error is 1. For noisy meshes; 0 is best for others.
   double fairness = 0;
@@ -116,8 +116,8 @@ public:
     CGAL_precondition(options.rms_error >= 0 && options.max_error >= 0);
     CGAL_precondition(options.fairness >= 0 && options.fairness <= 1e12);
     CGAL_precondition(options.spline_degree >= 2 && options.spline_degree <= 5);
-    CGAL_precondition(options.max_controls >= std::size_t(Atlas::number_of_charts)
-                      * (4 + options.spline_degree) * (4 + options.spline_degree));
+    CGAL_precondition(options.max_controls >= std::size_t(Atlas::number_of_charts) *
+                                                (4 + options.spline_degree) * (4 + options.spline_degree));
   }
 
   /// Fits; may be called repeatedly, with equal results.
@@ -140,7 +140,7 @@ public:
             std::is_convertible<ConcurrencyTag, Parallel_tag>::value);
     timed(report_.seconds.sampling, [&] { fit.add(sampler_.vertices(options_.vertex_weights)); });
     sample(fit);
-    if(options_.refinement == Refinement::UNIFORM)
+    if (options_.refinement == Refinement::UNIFORM)
       refine_everywhere(fit, visitor);
     else
       refine_where_needed(fit, visitor);
@@ -149,9 +149,8 @@ public:
     visitor.start_phase("measure");
     report_.bytes = fit.bytes();
     Surface surface(embeddings(fit), partition_.bump(), map_.atlas());
-    timed(report_.seconds.closest_point, [&] {
-      errors_.template measure_surface<ConcurrencyTag>(surface, report_, visitor);
-    });
+    timed(report_.seconds.closest_point,
+          [&] { errors_.template measure_surface<ConcurrencyTag>(surface, report_, visitor); });
     visitor.end_phase();
     report_.seconds.total = seconds_since(start);
     return surface;
@@ -181,7 +180,7 @@ private:
   Eigen::Vector3d centre() const
   {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
-    for(std::size_t v = 0; v < map_.number_of_vertices(); ++v)
+    for (std::size_t v = 0; v < map_.number_of_vertices(); ++v)
       x += map_.point(v) / double(map_.number_of_vertices());
     return x;
   }
@@ -192,8 +191,8 @@ private:
   // jointly makes the largest error two or three times smaller.
   double bound() const
   {
-    return (has_single_chart || options_.joint_solve == Joint_solve::NEVER ? 1 : 2)
-         * (std::min)(options_.max_error, 5 * options_.rms_error) * map_.diagonal();
+    return (has_single_chart || options_.joint_solve == Joint_solve::NEVER ? 1 : 2) *
+           (std::min)(options_.max_error, 5 * options_.rms_error) * map_.diagonal();
   }
 
   // After many rounds nothing waits any more: then each of them adds many controls, and there are few left.
@@ -203,7 +202,7 @@ private:
   {
     timed(report_.seconds.sampling, [&] {
       std::vector<typename Sampler::Chart_cell> cells;
-      for(const auto& [chart, cell] : fit.new_leaves())
+      for (const auto& [chart, cell] : fit.new_leaves())
         cells.push_back({chart, cell, fit.splines()[chart].tree().side(cell.level)});
       fit.add(sampler_.template cells<ConcurrencyTag>(cells));
     });
@@ -213,8 +212,7 @@ private:
   bool refine(Fit& fit, std::vector<internal::Mark> marks, std::vector<int>& changed, std::size_t limit)
   {
     timed(report_.seconds.refining, [&] { changed = fit.refine(std::move(marks), limit); });
-    if(changed.empty())
-      return false;
+    if (changed.empty()) return false;
     sample(fit);
     return true;
   }
@@ -255,24 +253,23 @@ private:
   void refine_everywhere(Fit& fit, Visitor& visitor)
   {
     const bool jointly = !has_single_chart && options_.joint_solve != Joint_solve::NEVER;
-    for(;;) {
-      if(jointly)
+    for (;;) {
+      if (jointly)
         solve_jointly(fit, visitor);
       else
         solve_alone(fit, fit.all_charts(), visitor);
       std::vector<internal::Mark> marks;
       std::size_t controls = 0;
-      for(int c = 0; c < Atlas::number_of_charts; ++c) {
+      for (int c = 0; c < Atlas::number_of_charts; ++c) {
         const internal::Cell_tree& tree = fit.splines()[c].tree();
         const std::size_t finer = 2 * tree.side(tree.depth()) + options_.spline_degree;
         controls += finer * finer;
-        for(int node = 0; node < tree.size(); ++node)
-          if(tree.is_leaf(node))
-            marks.push_back({c, tree.cell(node), tree.cell(node), 0});
+        for (int node = 0; node < tree.size(); ++node)
+          if (tree.is_leaf(node)) marks.push_back({c, tree.cell(node), tree.cell(node), 0});
       }
       std::vector<int> changed;
-      if(report_.tolerance_reached || controls > options_.max_controls
-         || !refine(fit, std::move(marks), changed, options_.max_controls))
+      if (report_.tolerance_reached || controls > options_.max_controls ||
+          !refine(fit, std::move(marks), changed, options_.max_controls))
         return;
     }
   }
@@ -280,18 +277,16 @@ private:
   template <class Visitor>
   void refine_where_needed(Fit& fit, Visitor& visitor)
   {
-    if(options_.joint_solve != Joint_solve::ALWAYS || has_single_chart)
-      refine_alone(fit, visitor);
+    if (options_.joint_solve != Joint_solve::ALWAYS || has_single_chart) refine_alone(fit, visitor);
     std::vector<int> changed;
-    if(has_single_chart || options_.joint_solve == Joint_solve::NEVER) {
+    if (has_single_chart || options_.joint_solve == Joint_solve::NEVER) {
       measure(fit, visitor);
-      while(!report_.tolerance_reached && refine(fit, joint_marks(fit), changed, options_.max_controls))
+      while (!report_.tolerance_reached && refine(fit, joint_marks(fit), changed, options_.max_controls))
         solve_alone(fit, changed, visitor);
       return;
     }
-    do
-      solve_jointly(fit, visitor);
-    while(!report_.tolerance_reached && refine(fit, joint_marks(fit), changed, options_.max_controls));
+    do solve_jointly(fit, visitor);
+    while (!report_.tolerance_reached && refine(fit, joint_marks(fit), changed, options_.max_controls));
   }
 
   // Until every chart is within the bound where it counts.
@@ -307,10 +302,9 @@ private:
       timed(report_.seconds.solving_alone, [&] { fit.solve_alone(changed); });
       marks = fit.marks_alone(changed, bound(), bulk(), only_vertices());
       double largest = bound();
-      for(const internal::Mark& m : marks)
-        largest = (std::max)(largest, m.error);
+      for (const internal::Mark& m : marks) largest = (std::max)(largest, m.error);
       show_progress(largest, visitor);
-    } while(refine(fit, std::move(marks), changed, limit));
+    } while (refine(fit, std::move(marks), changed, limit));
   }
 
   // Where the surface errs too much; if only the root mean square is too large, where it errs most.
@@ -320,7 +314,7 @@ private:
     timed(report_.seconds.measuring, [&] {
       const double limit = errors_.bound(options_.rms_error, options_.max_error, bulk());
       marks = fit.marks_jointly(limit * map_.diagonal(), only_vertices());
-      if(!only_vertices()) // the vertices are samples
+      if (!only_vertices()) // the vertices are samples
         errors_.add_marks(fit, limit, marks);
     });
     return marks;
@@ -329,12 +323,12 @@ private:
   static std::vector<Hierarchical_embedding> embeddings(const Fit& fit)
   {
     std::vector<Hierarchical_embedding> charts;
-    for(const internal::Chart_spline& spline : fit.splines()) {
+    for (const internal::Chart_spline& spline : fit.splines()) {
       const internal::Hierarchical_space& space = spline.space();
       std::vector<Hierarchical_embedding::Level> levels(space.number_of_levels());
-      for(int l = 0; l < space.number_of_levels(); ++l) {
+      for (int l = 0; l < space.number_of_levels(); ++l) {
         levels[l].cells = spline.tree().side(l);
-        for(int f = space.begin(l); f < space.begin(l + 1); ++f) {
+        for (int f = space.begin(l); f < space.begin(l + 1); ++f) {
           levels[l].indices.push_back(int(space.index(l, f)));
           levels[l].coefficients.push_back(spline.coefficients()[f]);
         }

@@ -9,8 +9,8 @@
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_CLOSEST_POINT_H
 
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
-#include <CGAL/Simple_manifolds/embedding/internal/Surface_box_tree.h>
-#include <CGAL/Simple_manifolds/embedding/internal/approach.h>
+#include <CGAL/Simple_manifolds/embedding/internal/closest_point/Surface_box_tree.h>
+#include <CGAL/Simple_manifolds/embedding/internal/closest_point/approach.h>
 
 #include <CGAL/assertions.h>
 
@@ -73,11 +73,11 @@ double closest_point_distance(const Surface& surface, const typename Surface::Do
 /// followed.
 /// \param surface  a `Manifold_surface`, twice differentiable
 template <class Surface>
-Closest_point<typename Surface::Domain_point>
-closest_point(const Surface& surface, const Eigen::Vector3d& x, const typename Surface::Domain_point& start)
+Closest_point<typename Surface::Domain_point> closest_point(const Surface& surface, const Eigen::Vector3d& x,
+                                                            const typename Surface::Domain_point& start)
 {
-  return internal::closest_point_at(
-    surface, internal::approach<2>(surface, surface.best_chart_point(start), x), x);
+  return internal::closest_point_at(surface,
+                                    internal::approach<2>(surface, surface.best_chart_point(start), x), x);
 }
 
 /// \ingroup PkgSimpleManifoldsEmbedding
@@ -121,9 +121,8 @@ public:
     double distance = std::numeric_limits<double>::infinity();
     internal::Approach best;
     bool is_first = true; // whose distance may be infinite, if x is so far that squares overflow
-    for(const auto& c : tree_.candidates(x)) {
-      if(c.bound > distance - tolerance)
-        break; // they are in the order of their bounds
+    for (const auto& c : tree_.candidates(x)) {
+      if (c.bound > distance - tolerance) break; // they are in the order of their bounds
       // a descent that leaves for other cells is theirs to make
       const double limit = distance * distance, reach = std::pow(2 * tree_.size(c), 2);
       const auto stop = [&, from = tree_.corner(c)](const internal::Approach& a) {
@@ -131,7 +130,7 @@ public:
       };
       const Chart_point start = surface_.best_chart_point(tree_.domain_point(c));
       const internal::Approach a = internal::approach<2>(surface_, start, x, 40, stop);
-      if(const double d = std::sqrt(a.square); d < distance || is_first) {
+      if (const double d = std::sqrt(a.square); d < distance || is_first) {
         distance = d;
         best = a;
         is_first = false;

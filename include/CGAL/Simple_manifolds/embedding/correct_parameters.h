@@ -8,11 +8,11 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_CORRECT_PARAMETERS_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_CORRECT_PARAMETERS_H
 
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/domain_geometry.h>
-#include <CGAL/Simple_manifolds/embedding/internal/approach.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/domain_geometry.h>
+#include <CGAL/Simple_manifolds/embedding/internal/closest_point/approach.h>
 
 #include <Eigen/Core>
 
@@ -48,15 +48,12 @@ Manifold_map<Atlas> correct_parameters(const Manifold_map<Atlas>& map, const Sur
 
   std::vector<std::size_t> begin(p.size() + 1, 0);
   std::vector<int> star(3 * map.number_of_faces()); // the faces of each vertex
-  for(const Triangle& t : map.faces())
-    for(const int v : t)
-      ++begin[v + 1];
-  for(std::size_t v = 0; v < p.size(); ++v)
-    begin[v + 1] += begin[v];
+  for (const Triangle& t : map.faces())
+    for (const int v : t) ++begin[v + 1];
+  for (std::size_t v = 0; v < p.size(); ++v) begin[v + 1] += begin[v];
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for(std::size_t f = 0; f < map.number_of_faces(); ++f)
-    for(const int v : map.face(f))
-      star[next[v]++] = int(f);
+  for (std::size_t f = 0; f < map.number_of_faces(); ++f)
+    for (const int v : map.face(f)) star[next[v]++] = int(f);
 
   const auto area = [&](int f) {
     const Triangle& t = map.face(f);
@@ -70,27 +67,23 @@ Manifold_map<Atlas> correct_parameters(const Manifold_map<Atlas>& map, const Sur
   };
 
   std::vector<double> before;
-  for(std::size_t v = 0; v < p.size(); ++v) {
-    if(is_fixed(v))
-      continue;
+  for (std::size_t v = 0; v < p.size(); ++v) {
+    if (is_fixed(v)) continue;
     const Chart_point start = surface.best_chart_point(p[v]);
     const Chart_point end = internal::approach<1>(surface, start, map.point(v), 4).at;
-    if(end.chart != start.chart)
-      continue;
+    if (end.chart != start.chart) continue;
     before.clear();
-    for(std::size_t k = begin[v]; k < begin[v + 1]; ++k)
-      before.push_back(area(star[k]));
+    for (std::size_t k = begin[v]; k < begin[v + 1]; ++k) before.push_back(area(star[k]));
     const Domain_point old = p[v];
     bool is_good = false;
-    for(double share = 1; share >= 0.125 && !is_good; share /= 2) {
+    for (double share = 1; share >= 0.125 && !is_good; share /= 2) {
       const Eigen::Vector2d uv = start.uv + share * (end.uv - start.uv);
       p[v] = atlas.canonical(atlas.point(Chart_point{start.chart, uv}));
       is_good = true;
-      for(std::size_t k = begin[v]; k < begin[v + 1] && is_good; ++k)
+      for (std::size_t k = begin[v]; k < begin[v + 1] && is_good; ++k)
         is_good = area(star[k]) >= 0.1 * before[k - begin[v]];
     }
-    if(!is_good)
-      p[v] = old;
+    if (!is_good) p[v] = old;
   }
   return Manifold_map<Atlas>(map.points(), map.faces(), std::move(p), map.number_of_input_vertices(),
                              map.number_of_virtual_faces());

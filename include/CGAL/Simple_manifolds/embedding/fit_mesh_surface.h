@@ -43,17 +43,19 @@ auto fit_surface(const FaceListGraph& mesh, const NamedParameters& np = paramete
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using Bump = std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<
-    internal_np::bump_t, NamedParameters, Smoothstep_bump<2>>::type>;
+  using Bump =
+    std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<internal_np::bump_t, NamedParameters,
+                                                                    Smoothstep_bump<2>>::type>;
   const Map_options o = map_options_for_fitting();
-  const Any_map any_map = map_to_canonical_surface<ConcurrencyTag>(mesh,
+  const Any_map any_map = map_to_canonical_surface<ConcurrencyTag>(
+    mesh,
     parameters::energy(choose_parameter(get_parameter(np, internal_np::energy), o.energy),
-      parameters::energy_lambda(choose_parameter(get_parameter(np, internal_np::energy_lambda), o.lambda),
-        parameters::area_floor(choose_parameter(get_parameter(np, internal_np::area_floor), o.area_floor),
-          np))));
-  return std::visit([&np](const auto& map) {
-    return Any_surface<Bump>(fit_surface<ConcurrencyTag>(map, np));
-  }, any_map);
+                       parameters::energy_lambda(
+                         choose_parameter(get_parameter(np, internal_np::energy_lambda), o.lambda),
+                         parameters::area_floor(
+                           choose_parameter(get_parameter(np, internal_np::area_floor), o.area_floor), np))));
+  return std::visit(
+    [&np](const auto& map) { return Any_surface<Bump>(fit_surface<ConcurrencyTag>(map, np)); }, any_map);
 }
 
 } // namespace Simple_manifolds

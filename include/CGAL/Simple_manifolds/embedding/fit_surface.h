@@ -71,8 +71,9 @@ auto fit_surface(const Map& map, const NamedParameters& np = parameters::default
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::get_parameter_reference;
-  using Bump = std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<
-    internal_np::bump_t, NamedParameters, Smoothstep_bump<2>>::type>;
+  using Bump =
+    std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<internal_np::bump_t, NamedParameters,
+                                                                    Smoothstep_bump<2>>::type>;
 
   Fit_options options;
   const auto read = [&np](auto& option, auto tag) {

@@ -9,8 +9,8 @@
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_MEASURES_H
 
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/parallel_for.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
+#include <CGAL/Simple_manifolds/internal/parallel_for.h>
 #include <CGAL/Simple_manifolds/parameters.h>
 
 #include <CGAL/assertions.h>
@@ -53,22 +53,20 @@ public:
   Integral operator()(double relative_error) const
   {
     std::vector<Cell> cells;
-    for(int tile = 0; tile < Atlas::number_of_charts; ++tile)
-      for(int i = 0; i < first_cells; ++i)
-        for(int j = 0; j < first_cells; ++j)
-          cells.push_back({tile, i, j, 1. / first_cells, 0, {}});
-    for(Cell& c : cells)
-      c.coarse = rule(c.tile, c.i, c.j, c.size);
+    for (int tile = 0; tile < Atlas::number_of_charts; ++tile)
+      for (int i = 0; i < first_cells; ++i)
+        for (int j = 0; j < first_cells; ++j) cells.push_back({tile, i, j, 1. / first_cells, 0, {}});
+    for (Cell& c : cells) c.coarse = rule(c.tile, c.i, c.j, c.size);
     refine(cells, 0);
-    for(;;) {
+    for (;;) {
       double value = 0, error = 0, scale = 0;
-      for(const Cell& c : cells) {
+      for (const Cell& c : cells) {
         value += c.fine();
         error += c.error();
         scale += std::abs(c.fine());
       }
       const double target = relative_error * scale;
-      if(!(error > target) || cells.size() > max_cells || !split_worst(cells, target / 2))
+      if (!(error > target) || cells.size() > max_cells || !split_worst(cells, target / 2))
         return {value, error + rounding * scale};
     }
   }
@@ -76,7 +74,7 @@ public:
 private:
   using Atlas = typename Surface::Atlas;
   using Domain_point = typename Surface::Domain_point;
-  static constexpr int first_cells = 4;           // per side of a tile
+  static constexpr int first_cells = 4; // per side of a tile
   static constexpr std::size_t max_cells = 100000;
   static constexpr double smallest = 1. / (1 << 20);
   static constexpr double rounding = 1e-14;
@@ -95,29 +93,27 @@ private:
   bool split_worst(std::vector<Cell>& cells, double rest) const
   {
     std::vector<int> order;
-    for(int k = 0; k < int(cells.size()); ++k)
-      if(cells[k].size > smallest)
-        order.push_back(k);
+    for (int k = 0; k < int(cells.size()); ++k)
+      if (cells[k].size > smallest) order.push_back(k);
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return cells[a].error() < cells[b].error(); });
     std::size_t kept = 0;
-    for(; kept < order.size() && cells[order[kept]].error() <= rest; ++kept)
+    for (; kept < order.size() && cells[order[kept]].error() <= rest; ++kept)
       rest -= cells[order[kept]].error();
     order.erase(order.begin(), order.begin() + kept);
-    if(order.empty())
-      return false;
+    if (order.empty()) return false;
     std::sort(order.begin(), order.end());
     const std::size_t first = cells.size();
     cells.reserve(first + 4 * order.size());
-    for(int k : order)
-      for(int q = 0; q < 4; ++q) {
+    for (int k : order)
+      for (int q = 0; q < 4; ++q) {
         const Cell& c = cells[k];
         cells.push_back({c.tile, 2 * c.i + q / 2, 2 * c.j + q % 2, c.size / 2, c.quarters[q], {}});
       }
     refine(cells, first);
     std::size_t end = 0; // the quartered cells go
-    for(std::size_t k = 0, next = 0; k < cells.size(); ++k) {
-      if(next < order.size() && std::size_t(order[next]) == k)
+    for (std::size_t k = 0, next = 0; k < cells.size(); ++k) {
+      if (next < order.size() && std::size_t(order[next]) == k)
         ++next;
       else
         cells[end++] = cells[k];
@@ -130,7 +126,7 @@ private:
   void refine(std::vector<Cell>& cells, std::size_t first) const
   {
     parallel_for<ConcurrencyTag>(4 * int(first), 4 * int(cells.size()), [&](int begin, int end) {
-      for(int k = begin; k < end; ++k) {
+      for (int k = begin; k < end; ++k) {
         Cell& c = cells[k / 4];
         const int q = k % 4;
         c.quarters[q] = rule(c.tile, 2 * c.i + q / 2, 2 * c.j + q % 2, c.size / 2);
@@ -145,9 +141,8 @@ private:
     constexpr double w[] = {0.173927422568726929, 0.326072577431273071, 0.326072577431273071,
                             0.173927422568726929};
     double sum = 0;
-    for(int a = 0; a < 4; ++a)
-      for(int b = 0; b < 4; ++b)
-        sum += w[a] * w[b] * value(tile, (i + x[a]) * size, (j + x[b]) * size);
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b) sum += w[a] * w[b] * value(tile, (i + x[a]) * size, (j + x[b]) * size);
     return sum * size * size;
   }
 
@@ -240,7 +235,7 @@ Integral volume(const Surface& surface, const NamedParameters& np = parameters::
   static_assert(Atlas::is_closed, "a surface with a border has no inside");
   // relative to a point in the middle, so that a body far from the origin keeps its digits
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for(int tile = 0; tile < Atlas::number_of_charts; ++tile)
+  for (int tile = 0; tile < Atlas::number_of_charts; ++tile)
     middle += surface.point(surface.atlas().tile_point(tile, 0.5, 0.5)) / Atlas::number_of_charts;
   return internal::integrate_density<ConcurrencyTag, 1>(
     surface, [&middle](const Jet& e) { return (e.value - middle).dot(e.u.cross(e.v)) / 3; }, np);

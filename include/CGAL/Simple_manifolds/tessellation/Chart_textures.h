@@ -71,8 +71,10 @@ public:
       for (int i = 0; i < resolution; ++i)
         for (int j = 0; j < resolution; ++j) {
           Value x;
-          if constexpr (channels == 1) x[0] = double(value(texel_point(resolution, c, i, j)));
-          else x = value(texel_point(resolution, c, i, j));
+          if constexpr (channels == 1)
+            x[0] = double(value(texel_point(resolution, c, i, j)));
+          else
+            x = value(texel_point(resolution, c, i, j));
           for (int k = 0; k < channels; ++k) values_.push_back(float(x[k]));
         }
   }
@@ -103,8 +105,7 @@ public:
   Value sample(const Domain_point& p) const
   {
     Value sum = Value::Zero();
-    for (const auto& w : partition_.weights(p))
-      sum += w.weight * sample(w.point);
+    for (const auto& w : partition_.weights(p)) sum += w.weight * sample(w.point);
     return sum;
   }
 
@@ -115,8 +116,8 @@ public:
     const auto cell = [&](double s) { return std::clamp(int(std::floor(s)), 0, resolution_ - 2); };
     const int i = cell(x[0]), j = cell(x[1]);
     const double s = x[0] - i, t = x[1] - j; // beyond [0,1] in the outer half of the outermost texels
-    return (1 - s) * ((1 - t) * texel(a.chart, i, j) + t * texel(a.chart, i, j + 1))
-         + s * ((1 - t) * texel(a.chart, i + 1, j) + t * texel(a.chart, i + 1, j + 1));
+    return (1 - s) * ((1 - t) * texel(a.chart, i, j) + t * texel(a.chart, i, j + 1)) +
+           s * ((1 - t) * texel(a.chart, i + 1, j) + t * texel(a.chart, i + 1, j + 1));
   }
 
 private:
@@ -136,15 +137,19 @@ namespace internal {
 template <class Result>
 constexpr int channels_of()
 {
-  if constexpr (std::is_arithmetic_v<Result>) return 1;
-  else return Result::RowsAtCompileTime;
+  if constexpr (std::is_arithmetic_v<Result>)
+    return 1;
+  else
+    return Result::RowsAtCompileTime;
 }
 
 template <class Function>
 auto value_on_surface(const Function& f, const Chart_point& a, const Jet& e)
 {
-  if constexpr (std::is_invocable_v<const Function&, const Jet&>) return f(e);
-  else return f(a, e);
+  if constexpr (std::is_invocable_v<const Function&, const Jet&>)
+    return f(e);
+  else
+    return f(a, e);
 }
 
 } // namespace internal
@@ -185,18 +190,22 @@ auto bake(const Manifold_surface<Atlas, ChartEmbedding, Bump>& surface, int reso
   std::vector<Jet> jets;
   std::size_t next = 0;
   int i = 0;
-  return Textures(resolution, [&](const Chart_point& a) {
-    if (next == jets.size()) {
-      texels.clear();
-      for (; i < resolution && texels.size() < enough; ++i)
-        for (int j = 0; j < resolution; ++j) texels.push_back(Textures::texel_point(resolution, a.chart, i, j));
-      i %= resolution;
-      jets.clear();
-      surface.template jets<ConcurrencyTag>(texels, std::back_inserter(jets));
-      next = 0;
-    }
-    return internal::value_on_surface(f, a, jets[next++]);
-  }, surface.bump(), surface.atlas());
+  return Textures(
+    resolution,
+    [&](const Chart_point& a) {
+      if (next == jets.size()) {
+        texels.clear();
+        for (; i < resolution && texels.size() < enough; ++i)
+          for (int j = 0; j < resolution; ++j)
+            texels.push_back(Textures::texel_point(resolution, a.chart, i, j));
+        i %= resolution;
+        jets.clear();
+        surface.template jets<ConcurrencyTag>(texels, std::back_inserter(jets));
+        next = 0;
+      }
+      return internal::value_on_surface(f, a, jets[next++]);
+    },
+    surface.bump(), surface.atlas());
 }
 
 } // namespace Simple_manifolds

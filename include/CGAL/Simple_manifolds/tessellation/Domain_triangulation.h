@@ -8,9 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_TESSELLATION_DOMAIN_TRIANGULATION_H
 #define CGAL_SIMPLE_MANIFOLDS_TESSELLATION_DOMAIN_TRIANGULATION_H
 
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
 
 #include <CGAL/assertions.h>
@@ -146,8 +146,8 @@ private:
     Triangle vertices;
     int tile;
     int level = 0;
-    int first_piece = -1;       // in triangles_; -1: not there yet
-    unsigned split_sides = 0;   // bit k: the side from corner k to the next has a vertex in its middle
+    int first_piece = -1;     // in triangles_; -1: not there yet
+    unsigned split_sides = 0; // bit k: the side from corner k to the next has a vertex in its middle
   };
 
   // The middles of edges, in lists at the younger end point of the edge: an end point is itself the middle of
@@ -273,7 +273,8 @@ private:
     chart_points_.resize(domain_points_.size(), {Atlas::number_of_charts, {}});
     for (std::size_t f = 0; f < triangles_.size(); ++f)
       for (const int v : triangles_[f])
-        if (std::size_t(v) >= known) chart_points_[v].chart = std::min(chart_points_[v].chart, tile(int(f)));
+        if (std::size_t(v) >= known)
+          chart_points_[v].chart = (std::min)(chart_points_[v].chart, tile(int(f)));
     for (std::size_t v = known; v < chart_points_.size(); ++v)
       chart_points_[v].uv = atlas_.coordinates(chart_points_[v].chart, domain_points_[v]);
   }

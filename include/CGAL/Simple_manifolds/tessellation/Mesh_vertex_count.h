@@ -8,8 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_TESSELLATION_MESH_VERTEX_COUNT_H
 #define CGAL_SIMPLE_MANIFOLDS_TESSELLATION_MESH_VERTEX_COUNT_H
 
-#include <CGAL/Simple_manifolds/correspondence/internal/Point_locator.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/domain_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/domain_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/location/Point_locator.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 
@@ -43,7 +43,7 @@ int side_of_step(const Atlas& atlas, const Eigen::Vector2d& p, const Eigen::Vect
                  const Eigen::Vector2d& x)
 {
   const Eigen::Vector2d d = flat_edges(atlas, p, q, q).first;
-  const double side = d.y() != 0 ? (x.x() < 1 ? -d.y() : d.y())  // back from the far sides of the square
+  const double side = d.y() != 0 ? (x.x() < 1 ? -d.y() : d.y()) // back from the far sides of the square
                                  : (x.y() < 1 ? d.x() : -d.x());
   return side < 0 ? -1 : 1;
 }

@@ -90,9 +90,9 @@ public:
     const double s = double(i) / n_, t = double(j) / n_;
     const auto& [left, right] = sides_[0];
     const auto& [bottom, top] = sides_[1];
-    const Eigen::Vector3d coons = (1 - s) * left[j] + s * right[j] + (1 - t) * bottom[i] + t * top[i]
-                                - (1 - s) * ((1 - t) * left[0] + t * left[n_])
-                                - s * ((1 - t) * right[0] + t * right[n_]);
+    const Eigen::Vector3d coons = (1 - s) * left[j] + s * right[j] + (1 - t) * bottom[i] + t * top[i] -
+                                  (1 - s) * ((1 - t) * left[0] + t * left[n_]) -
+                                  s * ((1 - t) * right[0] + t * right[n_]);
     return coons.normalized();
   }
 

@@ -9,7 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_TESSELLATION_SIZING_H
 
 #include <CGAL/Simple_manifolds/Error.h>
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
 #include <CGAL/Simple_manifolds/tessellation/internal/triangle_distance.h>
@@ -52,8 +52,9 @@ double surface_diagonal(const Surface& surface)
   for (const Eigen::Vector3d& x : points) box.extend(x);
   const double diagonal = box.diagonal().norm();
   if (!(diagonal > 0))
-    throw Geometry_error(Error_code::zero_extent, "the surface is a point: tolerances relative to its diagonal "
-                                                  "have no meaning");
+    throw Geometry_error(Error_code::zero_extent,
+                         "the surface is a point: tolerances relative to its diagonal "
+                         "have no meaning");
   if (!std::isfinite(diagonal))
     throw Geometry_error(Error_code::extent_out_of_range, "the diagonal of the surface is not finite");
   return diagonal;
@@ -114,7 +115,9 @@ public:
   /// \param tolerance  as a fraction of the diagonal of the bounding box of the surface
   /// \pre `tolerance > 0`
   Chord_error(const Surface& surface, double tolerance)
-    : Chord_error(surface, tolerance, surface_diagonal(surface)) {}
+    : Chord_error(surface, tolerance, surface_diagonal(surface))
+  {
+  }
 
   /// The same with the tolerance as a fraction of the given length: of 1, when it is a length itself.
   Chord_error(const Surface& surface, double tolerance, double unit)
@@ -126,10 +129,13 @@ public:
   /// Sets `excess[i]` to the excess of face `faces[i]`, see `TessellationSizing`.
   void operator()(const Triangulation& t, const std::vector<int>& faces, std::vector<double>& excess) const
   {
-    static const std::array<Eigen::Vector3d, 7> places = {
-      Eigen::Vector3d(.5, .5, 0), Eigen::Vector3d(0, .5, .5), Eigen::Vector3d(.5, 0, .5),
-      Eigen::Vector3d(1. / 3, 1. / 3, 1. / 3), Eigen::Vector3d(2. / 3, 1. / 6, 1. / 6),
-      Eigen::Vector3d(1. / 6, 2. / 3, 1. / 6), Eigen::Vector3d(1. / 6, 1. / 6, 2. / 3)};
+    static const std::array<Eigen::Vector3d, 7> places = {Eigen::Vector3d(.5, .5, 0),
+                                                          Eigen::Vector3d(0, .5, .5),
+                                                          Eigen::Vector3d(.5, 0, .5),
+                                                          Eigen::Vector3d(1. / 3, 1. / 3, 1. / 3),
+                                                          Eigen::Vector3d(2. / 3, 1. / 6, 1. / 6),
+                                                          Eigen::Vector3d(1. / 6, 2. / 3, 1. / 6),
+                                                          Eigen::Vector3d(1. / 6, 1. / 6, 2. / 3)};
     const internal::Corner_points<Surface> corner(*surface_, t, faces);
     std::vector<typename Surface::Domain_point> domain_points;
     std::vector<Eigen::Vector3d> points;
@@ -146,8 +152,8 @@ public:
         const int f = faces[i];
         double squared = 0;
         for (std::size_t k = 0; k < places.size(); ++k) {
-          const double d
-            = internal::squared_distance_to_triangle(*x++, corner(f, 0), corner(f, 1), corner(f, 2));
+          const double d =
+            internal::squared_distance_to_triangle(*x++, corner(f, 0), corner(f, 1), corner(f, 2));
           if (!(d <= squared)) squared = d; // keeps what is not a number
         }
         excess[i] = std::sqrt(squared) / tolerance_;
@@ -172,8 +178,9 @@ public:
   /// \param surface  is referred to
   /// \param limit    as a fraction of the diagonal of the bounding box of the surface
   /// \pre `limit > 0`
-  Edge_length(const Surface& surface, double limit)
-    : Edge_length(surface, limit, surface_diagonal(surface)) {}
+  Edge_length(const Surface& surface, double limit) : Edge_length(surface, limit, surface_diagonal(surface))
+  {
+  }
 
   /// The same with the limit as a fraction of the given length: of 1, when it is a length itself.
   Edge_length(const Surface& surface, double limit, double unit) : surface_(&surface), limit_(limit * unit)
@@ -187,8 +194,8 @@ public:
     const internal::Corner_points<Surface> corner(*surface_, t, faces);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const Eigen::Vector3d &a = corner(faces[i], 0), &b = corner(faces[i], 1), &c = corner(faces[i], 2);
-      excess[i] = std::sqrt((std::max)({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()}))
-                / limit_;
+      excess[i] =
+        std::sqrt((std::max)({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()})) / limit_;
     }
   }
 

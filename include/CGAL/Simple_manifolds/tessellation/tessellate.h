@@ -8,12 +8,12 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_TESSELLATION_TESSELLATE_H
 #define CGAL_SIMPLE_MANIFOLDS_TESSELLATION_TESSELLATE_H
 
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/Polygon_soup.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/add_soup.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/half_edges.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
+#include <CGAL/Simple_manifolds/internal/Polygon_soup.h>
+#include <CGAL/Simple_manifolds/internal/add_soup.h>
+#include <CGAL/Simple_manifolds/internal/half_edges.h>
 #include <CGAL/Simple_manifolds/parameters.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_borders.h>
@@ -130,15 +130,14 @@ Tile_grid<typename Surface::Atlas> tile_grid(const Surface& surface, const Named
 }
 
 template <class Tag, class NamedParameters>
-inline constexpr bool has_parameter
-  = is_given<decltype(CGAL::parameters::get_parameter(std::declval<const NamedParameters&>(),
-                                                      std::declval<Tag>()))>;
+inline constexpr bool has_parameter = is_given<decltype(CGAL::parameters::get_parameter(
+  std::declval<const NamedParameters&>(), std::declval<Tag>()))>;
 
 // Whether a criterion is among the parameters.
 template <class NamedParameters>
-inline constexpr bool is_adaptive = has_parameter<internal_np::chord_error_t, NamedParameters>
-                             || has_parameter<internal_np::edge_length_t, NamedParameters>
-                             || has_parameter<internal_np::sizing_t, NamedParameters>;
+inline constexpr bool is_adaptive = has_parameter<internal_np::chord_error_t, NamedParameters> ||
+                                    has_parameter<internal_np::edge_length_t, NamedParameters> ||
+                                    has_parameter<internal_np::sizing_t, NamedParameters>;
 
 // All criteria that are among the parameters, as one.
 template <class Surface, class NamedParameters>
@@ -187,9 +186,9 @@ adaptive_triangulation(const Surface& surface, const NamedParameters& np = param
   using CGAL::parameters::get_parameter;
   Domain_triangulation<typename Surface::Atlas> triangulation(internal::tile_grid(surface, np, 96),
                                                               surface.atlas());
-  const Tessellation_report report
-    = refine_triangulation(triangulation, internal::sizing_of(surface, np),
-                           choose_parameter(get_parameter(np, internal_np::max_faces), default_max_faces));
+  const Tessellation_report report =
+    refine_triangulation(triangulation, internal::sizing_of(surface, np),
+                         choose_parameter(get_parameter(np, internal_np::max_faces), default_max_faces));
   if constexpr (internal::has_parameter<internal_np::tessellation_report_t, NamedParameters>) {
     Tessellation_report& result = get_parameter(np, internal_np::tessellation_report);
     result = report;

@@ -33,8 +33,10 @@ public:
   void value(const nlohmann::json& number_or_text)
   {
     separate();
-    if (is_cbor_) nlohmann::json::to_cbor(number_or_text, out_);
-    else out_ << number_or_text;
+    if (is_cbor_)
+      nlohmann::json::to_cbor(number_or_text, out_);
+    else
+      out_ << number_or_text;
     close();
   }
 
@@ -54,7 +56,8 @@ private:
   {
     separate();
     if (is_cbor_) {
-      std::vector<std::uint8_t> head = nlohmann::json::to_cbor(entries); // as a number, but for the first bits
+      std::vector<std::uint8_t> head =
+        nlohmann::json::to_cbor(entries); // as a number, but for the first bits
       head[0] |= bracket == '{' ? 0xa0 : 0x80;
       for (const std::uint8_t byte : head) out_.put(char(byte));
     } else {

@@ -73,7 +73,7 @@ inline std::vector<int> indices_of_json(const Json_field& j, int controls)
 
 inline Patch_record patch_of_json(const Json_field& j, int degree)
 {
-  constexpr int most_controls = std::numeric_limits<int>::max(); // active or not: they have indices
+  constexpr int most_controls = (std::numeric_limits<int>::max)(); // active or not: they have indices
   const Json_field support = j["support"], controls = j["controls"], coefficients = j["coefficients"];
   support.require_size(4);
   controls.require_size(2);
@@ -110,8 +110,8 @@ inline void require_memory(const Json_field& list, const std::string& what, std:
 {
   const std::uint64_t most = (1 << 24) / number_of_charts + 256 * std::uint64_t(coefficients);
   if (controls > most)
-    list.fail(what + " take " + std::to_string(controls) + " controls in memory, and "
-              + std::to_string(coefficients) + " coefficients allow for " + std::to_string(most));
+    list.fail(what + " take " + std::to_string(controls) + " controls in memory, and " +
+              std::to_string(coefficients) + " coefficients allow for " + std::to_string(most));
 }
 
 // How the embedding of a chart is written as a list of patches, and read from one.
@@ -143,7 +143,8 @@ struct Embedding_io<Patch_stack_embedding> {
       controls += std::uint64_t(p.nu + 2 * degree) * std::uint64_t(p.nv + 2 * degree);
       coefficients += p.coefficients.size();
     }
-    require_memory(list, std::to_string(records.size()) + " patches", controls, coefficients, number_of_charts);
+    require_memory(list, std::to_string(records.size()) + " patches", controls, coefficients,
+                   number_of_charts);
 
     std::vector<Spline_patch> patches;
     for (Patch_record& p : records) {
@@ -169,8 +170,8 @@ struct Embedding_io<Hierarchical_embedding> {
     for (const Hierarchical_embedding::Level& level : e.levels()) {
       const int n = level.cells + e.degree();
       const bool is_full = level.indices.size() == std::size_t(n) * n;
-      list.push_back({{0, 0, 1, 1}, n, n, !is_full, is_full ? std::vector<int>() : level.indices,
-                      level.coefficients});
+      list.push_back(
+        {{0, 0, 1, 1}, n, n, !is_full, is_full ? std::vector<int>() : level.indices, level.coefficients});
     }
     return list;
   }
@@ -179,13 +180,13 @@ struct Embedding_io<Hierarchical_embedding> {
   static Hierarchical_embedding read(const Json_field& list, int degree, int number_of_charts)
   {
     std::vector<Patch_record> patches;
-    int base = std::numeric_limits<int>::max(); // cells per side of the coarsest grid
+    int base = (std::numeric_limits<int>::max)(); // cells per side of the coarsest grid
     for (std::size_t i = 0; i < list.size(); ++i) {
       patches.push_back(patch_of_json(list[i], degree));
       const Patch_record& p = patches.back();
       if (p.support != Spline_patch::Support{0, 0, 1, 1} || p.nu != p.nv)
         list[i].fail(std::string("it is no grid of equal cells of the unit square; ") + advice);
-      base = std::min(base, p.nu - degree);
+      base = (std::min)(base, p.nu - degree);
     }
 
     std::vector<std::map<int, Eigen::Vector3d>> active(1); // per level
@@ -195,8 +196,9 @@ struct Embedding_io<Hierarchical_embedding> {
       std::size_t level = 0;
       while (base << level < cells) ++level;
       if (base << level != cells || level >= std::size_t(Hierarchical_embedding::maximum_levels))
-        list[i]["controls"].fail(std::to_string(cells) + " cells per side are not the " + std::to_string(base)
-                                 + " of the coarsest patch times a power of 2; " + advice);
+        list[i]["controls"].fail(std::to_string(cells) + " cells per side are not the " +
+                                 std::to_string(base) + " of the coarsest patch times a power of 2; " +
+                                 advice);
       active.resize(std::max(active.size(), level + 1));
       for (std::size_t k = 0; k < p.coefficients.size(); ++k) {
         const int index = p.has_indices ? p.indices[k] : int(k);
@@ -215,9 +217,10 @@ struct Embedding_io<Hierarchical_embedding> {
       }
     }
     const std::uint64_t leaves = number_of_leaves(degree, levels);
-    require_memory(list, "the coarsest grid has " + std::to_string(base) + " cells per side: "
-                   + std::to_string(leaves) + " leaves", leaves * std::uint64_t((degree + 1) * (degree + 1)),
-                   coefficients, number_of_charts);
+    require_memory(list,
+                   "the coarsest grid has " + std::to_string(base) +
+                     " cells per side: " + std::to_string(leaves) + " leaves",
+                   leaves * std::uint64_t((degree + 1) * (degree + 1)), coefficients, number_of_charts);
     return Hierarchical_embedding(degree, std::move(levels));
   }
 
@@ -233,8 +236,8 @@ struct Embedding_io<Hierarchical_embedding> {
       for (const int cell : divided) parents.push_back(cell / n / 2 * (n / 2) + cell % n / 2);
       for (const int index : levels[k].indices) { // the function reaches from cell i-d, j-d to cell i,j
         const int i = index / side, j = index % side;
-        for (int p = std::max(i - degree, 0) / 2; p <= std::min(i, n - 1) / 2; ++p)
-          for (int q = std::max(j - degree, 0) / 2; q <= std::min(j, n - 1) / 2; ++q)
+        for (int p = (std::max)(i - degree, 0) / 2; p <= (std::min)(i, n - 1) / 2; ++p)
+          for (int q = (std::max)(j - degree, 0) / 2; q <= (std::min)(j, n - 1) / 2; ++q)
             parents.push_back(p * (n / 2) + q);
       }
       std::sort(parents.begin(), parents.end());

@@ -61,19 +61,19 @@ private:
 // An index as it stands in a file; -1 stands for everything that cannot be an index.
 inline int to_index(double x)
 {
-  return x >= 0 && x <= std::numeric_limits<int>::max() && x == double(int(x)) ? int(x) : -1;
+  return x >= 0 && x <= (std::numeric_limits<int>::max)() && x == double(int(x)) ? int(x) : -1;
 }
 
 inline void require_existing_vertices(const std::string& file, const File_mesh& mesh)
 {
   for (int h = 0; h < mesh.number_of_half_edges(); ++h)
     if (mesh.source(h) < 0 || mesh.source(h) >= mesh.number_of_vertices())
-      throw IO_error(Error_code::syntax_error, file,
-                     "face " + std::to_string(mesh.face(h)) + " refers to vertex "
-                       + (mesh.source(h) < 0 ? "number below 0 or beyond 2^31"
-                                             : std::to_string(mesh.source(h)))
-                       + ", but there are " + std::to_string(mesh.number_of_vertices()) + " vertices",
-                     0, Mesh_element::face(mesh.face(h)));
+      throw IO_error(
+        Error_code::syntax_error, file,
+        "face " + std::to_string(mesh.face(h)) + " refers to vertex " +
+          (mesh.source(h) < 0 ? "number below 0 or beyond 2^31" : std::to_string(mesh.source(h))) +
+          ", but there are " + std::to_string(mesh.number_of_vertices()) + " vertices",
+        0, Mesh_element::face(mesh.face(h)));
 }
 
 inline void require_finite_points(const std::string& file, const File_mesh& mesh)
@@ -81,9 +81,8 @@ inline void require_finite_points(const std::string& file, const File_mesh& mesh
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     if (!mesh.points[v].allFinite())
       throw Geometry_error(Error_code::non_finite_coordinate,
-                           file + ": vertex " + std::to_string(v) + " of "
-                             + std::to_string(mesh.points.size())
-                             + " has a coordinate that is NaN or infinite",
+                           file + ": vertex " + std::to_string(v) + " of " +
+                             std::to_string(mesh.points.size()) + " has a coordinate that is NaN or infinite",
                            Mesh_element::vertex(v));
 }
 

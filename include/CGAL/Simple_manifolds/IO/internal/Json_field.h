@@ -25,7 +25,9 @@ namespace internal {
 class Json_field {
 public:
   Json_field(const std::string& file, const nlohmann::json& value, std::string path = std::string())
-    : file_(file), value_(value), path_(std::move(path)) {}
+    : file_(file), value_(value), path_(std::move(path))
+  {
+  }
 
   [[noreturn]] void fail(const std::string& what) const
   {
@@ -66,8 +68,9 @@ public:
 
   int integer(long long lowest, long long highest) const
   {
-    const bool is_small = value_.is_number_integer()
-      && !(value_.is_number_unsigned() && value_.get<unsigned long long>() > (unsigned long long)(highest));
+    const bool is_small =
+      value_.is_number_integer() &&
+      !(value_.is_number_unsigned() && value_.get<unsigned long long>() > (unsigned long long)(highest));
     if (!is_small || value_.get<long long>() < lowest || value_.get<long long>() > highest)
       fail("an integer from " + std::to_string(lowest) + " to " + std::to_string(highest) + " is expected");
     return int(value_.get<long long>());
@@ -77,7 +80,8 @@ public:
   {
     if (!value_.is_string()) fail("a string is expected");
     std::string s = value_.get<std::string>().substr(0, 60);
-    for (char& c : s) if (c < ' ' || c > '~') c = '?'; // it may be shown in a message of one line
+    for (char& c : s)
+      if (c < ' ' || c > '~') c = '?'; // it may be shown in a message of one line
     return s;
   }
 

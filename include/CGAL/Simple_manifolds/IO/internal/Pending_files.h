@@ -66,11 +66,9 @@ public:
 
     std::error_code error;
     std::size_t n = 0;
-    while (n < files_.size() && !error)
-      error = files_[n++].move();
+    while (n < files_.size() && !error) error = files_[n++].move();
     if (error) {
-      for (std::size_t i = n; i-- > 0;)
-        files_[i].move_back();
+      for (std::size_t i = n; i-- > 0;) files_[i].move_back();
       throw IO_error(Error_code::cannot_write, files_[n - 1].file.string(), error.message());
     }
     for (const File& f : files_)
@@ -99,7 +97,7 @@ private:
       if (!kept.empty()) {
         if (std::filesystem::is_directory(std::filesystem::symlink_status(file, error)))
           return std::make_error_code(std::errc::is_a_directory);
-        std::filesystem::create_hard_link(file, kept, error); // the name is never free
+        std::filesystem::create_hard_link(file, kept, error);  // the name is never free
         if (error) std::filesystem::rename(file, kept, error); // not all disks have hard links
         if (error) return error;
       }

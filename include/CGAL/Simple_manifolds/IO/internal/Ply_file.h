@@ -60,7 +60,7 @@ public:
   /// The positions of the vertices and the faces; to be called once.
   File_mesh mesh()
   {
-    const std::vector<double> &x = vertex_property("x"), &y = vertex_property("y"), &z = vertex_property("z");
+    const std::vector<double>&x = vertex_property("x"), &y = vertex_property("y"), &z = vertex_property("z");
     mesh_.points.reserve(x.size());
     for (std::size_t v = 0; v < x.size(); ++v) mesh_.points.emplace_back(x[v], y[v], z[v]);
     return std::move(mesh_);
@@ -74,26 +74,42 @@ public:
 private:
   enum class Format { unknown, ascii, little, big };
   enum class Type { none, i1, u1, i2, u2, i4, u4, f4, f8 };
-  struct Property { std::string name; Type list, type; }; // list: the type of the length
-  struct Element { std::string name; std::size_t count; std::vector<Property> properties; };
+  struct Property {
+    std::string name;
+    Type list, type;
+  }; // list: the type of the length
+  struct Element {
+    std::string name;
+    std::size_t count;
+    std::vector<Property> properties;
+  };
 
   static std::size_t size(Type t)
   {
     switch (t) {
-      case Type::none: return 0;
-      case Type::i1: case Type::u1: return 1;
-      case Type::i2: case Type::u2: return 2;
-      case Type::i4: case Type::u4: case Type::f4: return 4;
-      default: return 8;
+    case Type::none:
+      return 0;
+    case Type::i1:
+    case Type::u1:
+      return 1;
+    case Type::i2:
+    case Type::u2:
+      return 2;
+    case Type::i4:
+    case Type::u4:
+    case Type::f4:
+      return 4;
+    default:
+      return 8;
     }
   }
 
   Type type(std::string_view name, std::size_t line) const
   {
     static const std::map<std::string_view, Type> types = {
-      {"char", Type::i1}, {"int8", Type::i1}, {"uchar", Type::u1}, {"uint8", Type::u1},
-      {"short", Type::i2}, {"int16", Type::i2}, {"ushort", Type::u2}, {"uint16", Type::u2},
-      {"int", Type::i4}, {"int32", Type::i4}, {"uint", Type::u4}, {"uint32", Type::u4},
+      {"char", Type::i1},  {"int8", Type::i1},    {"uchar", Type::u1},  {"uint8", Type::u1},
+      {"short", Type::i2}, {"int16", Type::i2},   {"ushort", Type::u2}, {"uint16", Type::u2},
+      {"int", Type::i4},   {"int32", Type::i4},   {"uint", Type::u4},   {"uint32", Type::u4},
       {"float", Type::f4}, {"float32", Type::f4}, {"double", Type::f8}, {"float64", Type::f8}};
     const auto at = types.find(name);
     if (at == types.end()) fail("unknown type \"" + Text_scanner::shown(name) + '"', line);
@@ -104,7 +120,7 @@ private:
   {
     std::vector<std::string_view> words;
     for (std::size_t i = 0; i < line.size();) {
-      const std::size_t end = std::min(line.find_first_of(" \t", i), line.size());
+      const std::size_t end = (std::min)(line.find_first_of(" \t", i), line.size());
       if (end > i) words.push_back(line.substr(i, end - i));
       i = end + 1;
     }
@@ -135,8 +151,10 @@ private:
       if (w[0] == "comment") {
         comments_.emplace_back(w.size() > 1 ? line.substr(w[1].data() - line.data()) : std::string_view());
       } else if (w[0] == "format" && w.size() > 1) {
-        format_ = w[1] == "ascii" ? Format::ascii : w[1] == "binary_little_endian" ? Format::little
-                : w[1] == "binary_big_endian" ? Format::big : Format::unknown;
+        format_ = w[1] == "ascii"                  ? Format::ascii
+                  : w[1] == "binary_little_endian" ? Format::little
+                  : w[1] == "binary_big_endian"    ? Format::big
+                                                   : Format::unknown;
       } else if (w[0] == "element" && w.size() == 3) {
         const long long count = Text_scanner(file_, w[2], false, n).integer(w[2], "the number of elements");
         if (count < 0)
@@ -162,8 +180,8 @@ private:
     for (const Property& p : e.properties)
       row += format_ == Format::ascii ? 2 : size(p.list == Type::none ? p.type : p.list);
     if (row && e.count > (left + 1) / row)
-      fail("the header announces " + std::to_string(e.count) + ' ' + e.name + " elements, but only "
-           + std::to_string(left) + " bytes follow");
+      fail("the header announces " + std::to_string(e.count) + ' ' + e.name + " elements, but only " +
+           std::to_string(left) + " bytes follow");
   }
 
   static bool is_corner_list(const Property& p)
@@ -175,7 +193,7 @@ private:
   void read_element(const Element& e, const Value& value)
   {
     if (e.properties.empty()) return;
-    check_size(e, bytes_.size() - std::max(at_, body_));
+    check_size(e, bytes_.size() - (std::max)(at_, body_));
     const bool is_vertex = e.name == "vertex", is_face = e.name == "face";
     if (is_face && e.count && std::none_of(e.properties.begin(), e.properties.end(), is_corner_list))
       fail("the faces have no list vertex_indices or vertex_index");
@@ -231,12 +249,18 @@ private:
     std::uint64_t bits = 0;
     for (std::size_t k = n; k-- > 0;) bits = bits << 8 | b[k];
     switch (t) {
-      case Type::i1: return std::int8_t(bits);
-      case Type::i2: return std::int16_t(bits);
-      case Type::i4: return std::int32_t(bits);
-      case Type::f4: return from_bits<float>(std::uint32_t(bits));
-      case Type::f8: return from_bits<double>(bits);
-      default: return double(bits);
+    case Type::i1:
+      return std::int8_t(bits);
+    case Type::i2:
+      return std::int16_t(bits);
+    case Type::i4:
+      return std::int32_t(bits);
+    case Type::f4:
+      return from_bits<float>(std::uint32_t(bits));
+    case Type::f8:
+      return from_bits<double>(bits);
+    default:
+      return double(bits);
     }
   }
 

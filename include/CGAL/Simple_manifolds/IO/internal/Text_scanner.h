@@ -134,8 +134,8 @@ public:
     const long long n = integer("the number of " + what);
     if (n < 0) fail("the number of " + what + " is " + std::to_string(n));
     if (std::size_t(n) > bytes_left() / bytes_each + 1)
-      fail("the header announces " + std::to_string(n) + ' ' + what + ", but only "
-           + std::to_string(bytes_left()) + " bytes follow");
+      fail("the header announces " + std::to_string(n) + ' ' + what + ", but only " +
+           std::to_string(bytes_left()) + " bytes follow");
     return std::size_t(n);
   }
 
@@ -143,7 +143,8 @@ public:
   static std::string shown(std::string_view w)
   {
     std::string s(w.substr(0, 24));
-    for (char& c : s) if (c < ' ' || c > '~') c = '?';
+    for (char& c : s)
+      if (c < ' ' || c > '~') c = '?';
     return s;
   }
 
@@ -152,7 +153,7 @@ private:
   // exponent, which may be beyond all integers.
   static bool is_above_one(std::string_view w)
   {
-    const std::size_t e = std::min(w.find_first_of("eE"), w.size()), point = std::min(w.find('.'), e);
+    const std::size_t e = (std::min)(w.find_first_of("eE"), w.size()), point = (std::min)(w.find('.'), e);
     const long long places = (long long)(point) - (long long)(w.find_first_of("123456789"));
     if (e == w.size()) return places > 0;
     long long exponent = 0;

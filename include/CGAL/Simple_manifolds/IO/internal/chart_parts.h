@@ -9,7 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_CHART_PARTS_H
 
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/Triangle.h>
 
 #include <Eigen/Core>
 
@@ -23,7 +23,7 @@ namespace internal {
 // The triangles of one chart, with vertices of their own: a vertex of the mesh has one pair of coordinates
 // in each chart that uses it.
 struct Chart_part {
-  int chart; // -1: in no chart, without coordinates
+  int chart;                                // -1: in no chart, without coordinates
   std::vector<int> vertices;                // of the mesh
   std::vector<Eigen::Vector2d> coordinates; // per vertex
   std::vector<Triangle> triangles;          // positions in `vertices`

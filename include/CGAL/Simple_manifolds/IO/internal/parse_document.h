@@ -45,7 +45,8 @@ public:
 private:
   [[noreturn]] void fail(const std::string& what) const
   {
-    throw IO_error(Error_code::syntax_error, file_, "no valid CBOR, byte " + std::to_string(at_) + ": " + what);
+    throw IO_error(Error_code::syntax_error, file_,
+                   "no valid CBOR, byte " + std::to_string(at_) + ": " + what);
   }
 
   void skip(std::uint64_t n)
@@ -67,11 +68,20 @@ private:
       for (std::size_t k = at_ - n; k < at_; ++k) value = value << 8 | static_cast<unsigned char>(bytes_[k]);
     }
     switch (kind) {
-      case 2: case 3: skip(value); break;          // bytes, text
-      case 4: descend(value, 1); break;            // array
-      case 5: descend(value, 2); break;            // object
-      case 6: fail("a tag");
-      default: break;                              // a number, or a simple value
+    case 2:
+    case 3:
+      skip(value);
+      break; // bytes, text
+    case 4:
+      descend(value, 1);
+      break; // array
+    case 5:
+      descend(value, 2);
+      break; // object
+    case 6:
+      fail("a tag");
+    default:
+      break; // a number, or a simple value
     }
   }
 
@@ -112,7 +122,9 @@ public:
   using Json = nlohmann::json;
 
   Document_builder(const std::string& file, const std::string& bytes, bool is_cbor)
-    : file_(file), bytes_(bytes), is_cbor_(is_cbor) {}
+    : file_(file), bytes_(bytes), is_cbor_(is_cbor)
+  {
+  }
 
   Json take() { return std::move(document_.root); }
 
@@ -137,7 +149,8 @@ public:
 
   bool parse_error(std::size_t byte, const std::string&, const Json::exception& e)
   {
-    if (is_cbor_) throw IO_error(Error_code::syntax_error, file_, "no valid CBOR, byte " + std::to_string(byte));
+    if (is_cbor_)
+      throw IO_error(Error_code::syntax_error, file_, "no valid CBOR, byte " + std::to_string(byte));
     if (e.id >= 400) fail("a number is out of range");
     const auto end = bytes_.begin() + std::ptrdiff_t(std::min(byte, bytes_.size()));
     throw IO_error(Error_code::syntax_error, file_, "no valid JSON",

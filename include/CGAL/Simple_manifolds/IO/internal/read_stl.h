@@ -112,8 +112,8 @@ inline File_mesh read_stl(const std::string& file, std::string_view bytes)
     if (bytes.size() == 84 + 50 * faces) return read_stl_binary(bytes, faces);
     if (bytes.substr(0, 5) != "solid")
       throw IO_error(Error_code::syntax_error, file,
-                     "no STL file: as a binary one it would hold " + std::to_string(faces)
-                       + " facets in " + std::to_string(bytes.size()) + " bytes");
+                     "no STL file: as a binary one it would hold " + std::to_string(faces) + " facets in " +
+                       std::to_string(bytes.size()) + " bytes");
   }
   if (bytes.substr(0, 5) != "solid") throw IO_error(Error_code::syntax_error, file, "no STL file");
   return read_stl_ascii(file, bytes);

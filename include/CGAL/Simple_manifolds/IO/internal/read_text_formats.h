@@ -28,8 +28,7 @@ inline File_mesh read_off(const std::string& file, std::string_view text)
       variant.remove_prefix(prefix.size());
   if (variant == "4OFF" || variant == "nOFF" || variant == "4nOFF")
     throw IO_error(Error_code::unsupported_format, file, "OFF of another dimension than 3", in.line());
-  if (variant != "OFF")
-    in.fail("no OFF file: it begins with \"" + Text_scanner::shown(variant) + '"');
+  if (variant != "OFF") in.fail("no OFF file: it begins with \"" + Text_scanner::shown(variant) + '"');
   const std::string_view first = text.substr(0, text.find('\n'));
   if (first.substr(0, first.find('#')).find("BINARY") != first.npos)
     throw IO_error(Error_code::unsupported_format, file, "binary OFF is not read", in.line());

@@ -32,11 +32,13 @@ inline constexpr double least_share = 1e-3;
 // n / d, right to the last bits of a double whatever the sizes of the integers.
 inline double ratio(const Integer& n, const Integer& d)
 {
-  if (n.is_zero()) { return 0; }
+  if (n.is_zero()) {
+    return 0;
+  }
   // Qualified: CGAL has functions of these names, which would instantiate its traits of the type too early.
   const Integer a = boost::multiprecision::abs(n), b = boost::multiprecision::abs(d);
-  const int shift = 62 + static_cast<int>(boost::multiprecision::msb(b))
-                      - static_cast<int>(boost::multiprecision::msb(a)); // leaves a quotient of 62 or 63 bits
+  const int shift = 62 + static_cast<int>(boost::multiprecision::msb(b)) -
+                    static_cast<int>(boost::multiprecision::msb(a)); // leaves a quotient of 62 or 63 bits
   const Integer q = shift >= 0 ? Integer((a << shift) / b) : Integer(a / (b << -shift));
   return n.sign() * d.sign() * std::ldexp(static_cast<double>(q.convert_to<std::uint64_t>()), -shift);
 }
@@ -57,12 +59,14 @@ inline Eigen::Vector3d central_barycentric(const Eigen::Vector3d& p, const Eigen
   const Eigen::Vector3d a = p - x, b = q - x, c = r - x;
   const Eigen::Vector3d beta(determinant(x, b, c), determinant(x, c, a), determinant(x, a, b));
   const double sum = beta.sum();
-  const double magnitude = determinant_magnitude(x, b, c) + determinant_magnitude(x, c, a)
-                         + determinant_magnitude(x, a, b);
-  if (std::abs(sum) > least_share * magnitude + underflow_slack) { return beta / sum; }
+  const double magnitude =
+    determinant_magnitude(x, b, c) + determinant_magnitude(x, c, a) + determinant_magnitude(x, a, b);
+  if (std::abs(sum) > least_share * magnitude + underflow_slack) {
+    return beta / sum;
+  }
 
-  const auto z = common_integers<12>({p[0], p[1], p[2], q[0], q[1], q[2],
-                                      r[0], r[1], r[2], x[0], x[1], x[2]});
+  const auto z =
+    common_integers<12>({p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2], x[0], x[1], x[2]});
   const auto vector = [&z](int i) { return std::array<Integer, 3>{z[3 * i], z[3 * i + 1], z[3 * i + 2]}; };
   const auto P = vector(0), Q = vector(1), R = vector(2), X = vector(3);
   return normalized_by_sum({determinant(X, Q, R), determinant(P, X, R), determinant(P, Q, X)});

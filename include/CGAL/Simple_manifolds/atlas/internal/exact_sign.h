@@ -53,9 +53,13 @@ std::array<Integer, N> common_integers(const std::array<double, N>& x)
   }
   std::array<Integer, N> integers;
   for (std::size_t i = 0; i < N; ++i) {
-    if (mantissa[i] == 0) { continue; }
+    if (mantissa[i] == 0) {
+      continue;
+    }
     integers[i] = Integer(std::abs(mantissa[i])) << unsigned(exponent[i] - lowest);
-    if (mantissa[i] < 0) { integers[i] = -integers[i]; }
+    if (mantissa[i] < 0) {
+      integers[i] = -integers[i];
+    }
   }
   return integers;
 }
@@ -65,17 +69,17 @@ template <class Vector>
 auto determinant(const Vector& a, const Vector& b, const Vector& c)
 {
   using Number = std::decay_t<decltype(a[0])>;
-  return Number(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
-              + a[2] * (b[0] * c[1] - b[1] * c[0]));
+  return Number(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                a[2] * (b[0] * c[1] - b[1] * c[0]));
 }
 
 // The sum of the absolute values of the six products of det[a,b,c].
 inline double determinant_magnitude(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                                     const Eigen::Vector3d& c)
 {
-  return std::abs(a[0]) * (std::abs(b[1] * c[2]) + std::abs(b[2] * c[1]))
-       + std::abs(a[1]) * (std::abs(b[2] * c[0]) + std::abs(b[0] * c[2]))
-       + std::abs(a[2]) * (std::abs(b[0] * c[1]) + std::abs(b[1] * c[0]));
+  return std::abs(a[0]) * (std::abs(b[1] * c[2]) + std::abs(b[2] * c[1])) +
+         std::abs(a[1]) * (std::abs(b[2] * c[0]) + std::abs(b[0] * c[2])) +
+         std::abs(a[2]) * (std::abs(b[0] * c[1]) + std::abs(b[1] * c[0]));
 }
 
 // The exact sign of det[a,b,c].
@@ -86,9 +90,11 @@ inline int sign_of_determinant(const Eigen::Vector3d& a, const Eigen::Vector3d& 
   // the exact sum of magnitudes S, and below 8 e S for the computed one. A product of b and c that
   // underflows is wrong by 2^-1075, and multiplied by a coordinate of a.
   const double det = determinant(a, b, c);
-  const double bound = 8 * half_ulp * determinant_magnitude(a, b, c)
-                     + underflow_slack * (1 + std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]));
-  if (std::abs(det) > bound) { return det > 0 ? 1 : -1; }
+  const double bound = 8 * half_ulp * determinant_magnitude(a, b, c) +
+                       underflow_slack * (1 + std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]));
+  if (std::abs(det) > bound) {
+    return det > 0 ? 1 : -1;
+  }
 
   // a positive factor per vector does not change the sign, and keeps the integers short
   const auto exact = [](const Eigen::Vector3d& v) { return common_integers<3>({v[0], v[1], v[2]}); };
@@ -141,10 +147,12 @@ inline int sign_of_area(const Eigen::Vector2d& p, const Eigen::Vector2d& q, cons
     return 2 * half_ulp * (std::abs(s[i] - p[i]) + std::abs(shifted[i]));
   };
   const double dx = slack(q, d, 0), dy = slack(q, d, 1), ex = slack(r, e, 0), ey = slack(r, e, 1);
-  const double bound = 4 * half_ulp * (std::abs(t0) + std::abs(t1))
-                     + dx * (std::abs(e[1]) + ey) + dy * (std::abs(e[0]) + ex)
-                     + ex * std::abs(d[1]) + ey * std::abs(d[0]) + underflow_slack;
-  if (std::abs(det) > bound) { return det > 0 ? 1 : -1; }
+  const double bound = 4 * half_ulp * (std::abs(t0) + std::abs(t1)) + dx * (std::abs(e[1]) + ey) +
+                       dy * (std::abs(e[0]) + ex) + ex * std::abs(d[1]) + ey * std::abs(d[0]) +
+                       underflow_slack;
+  if (std::abs(det) > bound) {
+    return det > 0 ? 1 : -1;
+  }
 
   const auto z = exact_differences<2>(p, {q, r}, {kq, kr});
   return cross(z[0], z[1]).sign();

@@ -36,8 +36,8 @@ inline double squared_distance_to_triangle(const Eigen::Vector3d& x, const Eigen
     const double height = w.dot(n);
     return height * height / area;
   }
-  return std::min({squared_distance_to_segment(x, a, b), squared_distance_to_segment(x, b, c),
-                   squared_distance_to_segment(x, c, a)});
+  return (std::min)({squared_distance_to_segment(x, a, b), squared_distance_to_segment(x, b, c),
+                     squared_distance_to_segment(x, c, a)});
 }
 
 } // namespace internal

@@ -8,7 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_REPORT_MAP_SIMPLIFICATION_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_REPORT_MAP_SIMPLIFICATION_H
 
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
+#include <CGAL/Simple_manifolds/Triangle.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -39,7 +39,7 @@ class Map_simplification {
   using Old_vertices = Mesh::Property_map<Vertex, int>;
 
 public:
-  std::vector<int> vertices; ///< those that are left
+  std::vector<int> vertices;   ///< those that are left
   std::vector<Triangle> faces; ///< of positions in `vertices`
 
   // The last faces of the map, those that close borders, are left out.
@@ -61,8 +61,9 @@ public:
     const std::size_t edges = 3 * number_of_faces / 2;
     SMS::edge_collapse(
       mesh, [edges](const auto&, const auto&, std::size_t, std::size_t current) { return current <= edges; },
-      CGAL::parameters::get_cost(SMS::Edge_length_cost<Mesh>()).get_placement(Placement{&map, old})
-                       .visitor(Visitor(old)));
+      CGAL::parameters::get_cost(SMS::Edge_length_cost<Mesh>())
+        .get_placement(Placement{&map, old})
+        .visitor(Visitor(old)));
 
     std::vector<int> place(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
     for (const Vertex v : mesh.vertices()) {
@@ -85,16 +86,14 @@ private:
     auto operator()(const Profile& profile) const
     {
       using Place = decltype(Surface_mesh_simplification::Midpoint_placement<Mesh>()(profile)); // optional
-      if (may_replace(profile, profile.v1(), profile.v0()))
-        return Place(profile.p0());
+      if (may_replace(profile, profile.v1(), profile.v0())) return Place(profile.p0());
       return may_replace(profile, profile.v0(), profile.v1()) ? Place(profile.p1()) : Place();
     }
 
     template <class Profile>
     bool may_replace(const Profile& profile, Vertex removed, Vertex kept) const
     {
-      if (CGAL::is_border(removed, profile.surface_mesh()).has_value())
-        return false;
+      if (CGAL::is_border(removed, profile.surface_mesh()).has_value()) return false;
       for (const auto& t : profile.triangles()) {
         const std::array<Vertex, 3> before = {t.v0, t.v1, t.v2};
         std::array<int, 3> v, w;

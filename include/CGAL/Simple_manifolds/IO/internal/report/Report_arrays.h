@@ -39,8 +39,7 @@ public:
   void add_values(const std::string& name, const std::vector<double>& values, int bits = 11)
   {
     std::vector<float> rounded;
-    for (double x : values)
-      rounded.push_back(round_to(x, bits));
+    for (double x : values) rounded.push_back(round_to(x, bits));
     add(name, "f32", 1, rounded.data(), rounded.size());
   }
 
@@ -50,8 +49,7 @@ public:
     constexpr int n = Vector::RowsAtCompileTime;
     std::vector<std::array<float, n>> rounded(vectors.size());
     for (std::size_t i = 0; i < vectors.size(); ++i)
-      for (int k = 0; k < n; ++k)
-        rounded[i][k] = round_to(vectors[i][k], bits);
+      for (int k = 0; k < n; ++k) rounded[i][k] = round_to(vectors[i][k], bits);
     add(name, "f32", n, rounded.data(), rounded.size());
   }
 
@@ -110,15 +108,13 @@ private:
     for (std::size_t i = 0; i < n; ++i) {
       char item[sizeof(Item)];
       std::memcpy(item, items + i, sizeof item);
-      for (std::size_t k = 0; k < sizeof(Item); ++k)
-        bytes_[first + k * n + i] = item[k];
+      for (std::size_t k = 0; k < sizeof(Item); ++k) bytes_[first + k * n + i] = item[k];
     }
   }
 
   static float round_to(double x, int bits)
   {
-    if (!std::isfinite(x) || x == 0)
-      return float(x);
+    if (!std::isfinite(x) || x == 0) return float(x);
     int exponent;
     const double fraction = std::frexp(x, &exponent);
     return float(std::ldexp(std::round(std::ldexp(fraction, bits + 1)), exponent - bits - 1));
@@ -133,8 +129,7 @@ private:
     text.reserve(bytes.size() / 3 * 4);
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
       const unsigned group = unsigned(bytes[i]) << 16 | unsigned(bytes[i + 1]) << 8 | bytes[i + 2];
-      for (int shift = 18; shift >= 0; shift -= 6)
-        text += digits[group >> shift & 63];
+      for (int shift = 18; shift >= 0; shift -= 6) text += digits[group >> shift & 63];
     }
     std::fill(text.end() - std::ptrdiff_t(bytes.size() - n), text.end(), '=');
     return text;

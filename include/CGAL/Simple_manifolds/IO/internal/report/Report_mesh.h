@@ -10,10 +10,10 @@
 
 #include <CGAL/Simple_manifolds/IO/internal/report/Map_simplification.h>
 #include <CGAL/Simple_manifolds/IO/internal/report/Report_arrays.h>
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
-#include <CGAL/Simple_manifolds/correspondence/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/chart_masks.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
 #include <CGAL/Simple_manifolds/tessellation/tessellate.h>
@@ -72,16 +72,15 @@ struct Report_mesh {
   std::vector<Eigen::Vector3d> points, normals; // no normals: those of the faces
   std::vector<typename Atlas::Domain_point> domain_points;
   std::vector<Triangle> faces;
-  std::vector<int> charts;                // per face; -1: none
-  std::vector<double> angle, log10_area;  // per face
+  std::vector<int> charts;                                       // per face; -1: none
+  std::vector<double> angle, log10_area;                         // per face
   std::vector<double> error, mean_curvature, gaussian_curvature; // per vertex
 
   void add_to(Report_arrays& arrays, const std::string& name, const Eigen::Vector3d& centre,
               double unit) const
   {
     std::vector<Eigen::Vector3d> places;
-    for (const Eigen::Vector3d& p : points)
-      places.push_back((p - centre) / unit);
+    for (const Eigen::Vector3d& p : points) places.push_back((p - centre) / unit);
     arrays.add_vectors(name + ".points", places, 18);
     arrays.add_vectors(name + ".domain", domain_points, 22);
     arrays.add_triangles(name + ".faces", faces);
@@ -131,8 +130,7 @@ Report_mesh<typename Map::Atlas> report_mesh(const Map& map, const Face_distorti
     mesh.domain_points = map.domain_points();
     mesh.faces = map.faces();
     mesh.faces.resize(distortions.angle.size());
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-      mesh.charts.push_back(map.chart(f));
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) mesh.charts.push_back(map.chart(f));
     mesh.angle = distortions.angle;
     mesh.log10_area = distortions.log10_area;
     return mesh;
@@ -157,9 +155,8 @@ Report_mesh<typename Map::Atlas> report_mesh(const Map& map, const Face_distorti
 
 // A tessellation of a surface. The distortion of a face is that of the map at its centre.
 template <class Map, class Surface>
-Report_mesh<typename Map::Atlas>
-report_tessellation(const Map& map, const Surface& surface, int subdivisions,
-                    const Face_distortions& distortions)
+Report_mesh<typename Map::Atlas> report_tessellation(const Map& map, const Surface& surface, int subdivisions,
+                                                     const Face_distortions& distortions)
 {
   const Tile_grid<typename Map::Atlas> grid(subdivisions, surface.atlas());
   Report_mesh<typename Map::Atlas> mesh;

@@ -41,20 +41,19 @@ void for_each_control_cell(const Hierarchical_embedding& e, const Function& f)
       const Eigen::Vector2d centre((i + 0.5) / cells, (j + 0.5) / cells);
       const Leaf_table::Leaf leaf = e.leaves().find(centre[0], centre[1]);
       if (leaf.cells > cells) {
-        for (int c = 0; c < 4; ++c)
-          visit(2 * cells, 2 * i + c / 2, 2 * j + c % 2);
+        for (int c = 0; c < 4; ++c) visit(2 * cells, 2 * i + c / 2, 2 * j + c % 2);
         return;
       }
       const int row = e.degree() + 1;
       const Eigen::Vector2d first(i, j);
-      f(Chart_box(first / cells, (first + Eigen::Vector2d(1, 1)) / cells),
+      f(
+        Chart_box(first / cells, (first + Eigen::Vector2d(1, 1)) / cells),
         [&](int k, int l) { return leaf.controls[k * row + l].vector(); }, e.degree());
     }
   };
   const int base = e.levels().front().cells;
   for (int i = 0; i < base; ++i)
-    for (int j = 0; j < base; ++j)
-      Visitor{e, f}.visit(base, i, j);
+    for (int j = 0; j < base; ++j) Visitor{e, f}.visit(base, i, j);
 }
 
 // Of a stack of patches: of the base patch, since the others only add to it.
@@ -67,14 +66,17 @@ void for_each_control_cell(const Patch_stack_embedding& e, const Function& f)
   const double du = (s[2] - s[0]) / nu, dv = (s[3] - s[1]) / nv;
   for (int i = 0; i < nu; ++i)
     for (int j = 0; j < nv; ++j)
-      f(Chart_box(Eigen::Vector2d(s[0] + i * du, s[1] + j * dv),
+      f(
+        Chart_box(Eigen::Vector2d(s[0] + i * du, s[1] + j * dv),
                   Eigen::Vector2d(s[0] + (i + 1) * du, s[1] + (j + 1) * dv)),
         [&](int k, int l) { return patch.coefficient(i + k, j + l); }, patch.degree());
 }
 
 // Of anything else: none.
 template <class Embedding, class Function>
-void for_each_control_cell(const Embedding&, const Function&) {}
+void for_each_control_cell(const Embedding&, const Function&)
+{
+}
 
 // The corners of the control cells of all charts, four by four; of each chart those inside of its tile.
 // Controls nearer to the border of a chart have little weight there: they may be anywhere. `charts` receives
@@ -85,8 +87,7 @@ std::vector<Eigen::Vector3d> control_cells(const Surface& surface, std::vector<i
   std::vector<Eigen::Vector3d> corners;
   for (int c = 0; c < Surface::Atlas::number_of_charts; ++c) {
     const auto is_in_tile = [&](const Eigen::Vector2d& uv) {
-      if (Surface::Atlas::number_of_charts == 1)
-        return true;
+      if (Surface::Atlas::number_of_charts == 1) return true;
       const auto& atlas = surface.atlas();
       return is_in_open_unit_square(uv) && atlas.tile(atlas.point(Chart_point{c, uv})) == c;
     };

@@ -1,0 +1,258 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_ENGINE_COARSE_TO_FINE_LAYOUT_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_ENGINE_COARSE_TO_FINE_LAYOUT_H
+
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/Collapse_hierarchy.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/Distortion_energy.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/Star.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/Star_kernel.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+// A soft target for a vertex.
+template <class Point>
+struct Indexed_landmark {
+  int vertex;
+  Point target;
+  double weight;
+};
+
+// The embedding of a triangulated surface in a domain, valid at every moment:
+//  1. the mesh is reduced to a base that is embedded directly (Collapse_hierarchy);
+//  2. level by level, every vertex comes back at a point of the kernel of its star. The kernel is
+//     never empty: the star is tiled by a fan of positive faces from the vertex that it was merged into;
+//  3. after each level, sweeps of single-vertex Newton steps lower the distortion. The energy is a
+//     barrier, so no face is ever inverted.
+//
+// Geometry is the domain: Sphere_geometry, Torus_geometry or Plane_geometry.
+template <class Geometry, class ConcurrencyTag>
+class Coarse_to_fine_layout {
+public:
+  using Star = internal::Star<Geometry>;
+  using Point = typename Geometry::Point;
+
+  // mesh: decimated, with masses that are the target areas of the vertices. landmarks: for its vertices.
+  Coarse_to_fine_layout(Collapse_hierarchy& mesh, Geometry& geometry, const Map_options& options,
+                        double shape_floor, const std::vector<Indexed_landmark<Point>>& landmarks)
+    : mesh_(mesh), geometry_(geometry), energy_(options), options_(options), shape_floor_(shape_floor),
+      landmarks_(landmarks), landmark_of_(landmarks.empty() ? 0 : mesh.number_of_vertices(), -1),
+      targets_(mesh.table().number_of_half_edges() / 3)
+  {
+    for (std::size_t i = 0; i < landmarks_.size(); ++i) {
+      landmarks_[i].weight *= 10 * Geometry::total_area;
+      landmark_of_[landmarks_[i].vertex] = static_cast<int>(i);
+    }
+  }
+
+  // Returns false if a vertex could not be placed, which only rounding can cause.
+  template <class Progress>
+  bool run(const Progress& progress)
+  {
+    if (!geometry_.lay_out_base(mesh_)) return false;
+    set_targets();
+    build_stars();
+    sweep(number_of_sweeps());
+    double done = 0;
+    const double all = total_work();
+    while (mesh_.level() < mesh_.number_of_levels()) {
+      geometry_.start_level(mesh_);
+      const int first = mesh_.number_of_active_vertices();
+      mesh_.refine([&](int h) { geometry_.restore(mesh_.table(), h); });
+      set_targets();
+      build_stars();
+      if (!place(first, mesh_.number_of_active_vertices())) return false;
+      const int sweeps = number_of_sweeps();
+      sweep(sweeps);
+      done += work(sweeps, mesh_.number_of_active_vertices());
+      progress(done / all);
+    }
+    return true;
+  }
+
+private:
+  int number_of_sweeps() const { return number_of_sweeps(mesh_.level()); }
+  int number_of_sweeps(int level) const
+  {
+    const double n = mesh_.level_end(level), N = mesh_.number_of_vertices();
+    const double factor = options_.effort == Effort::FAST ? 0.5 : 1;
+    if (level == mesh_.number_of_levels() && options_.effort != Effort::QUALITY)
+      return static_cast<int>(8 * factor);
+    const double extra = options_.effort == Effort::QUALITY ? 1e5 * (std::min)(N, 5000.) / 5000 / n : 0;
+    return static_cast<int>(std::max({(std::min)(100., 4 * factor * std::sqrt(N / n)),
+                                      (std::min)(100., extra), level == mesh_.number_of_levels() ? 8. : 0.}));
+  }
+  static double work(int sweeps, double n) { return (2 + sweeps) * n; }
+  double total_work() const
+  {
+    double sum = 0;
+    for (int l = 1; l <= mesh_.number_of_levels(); ++l) sum += work(number_of_sweeps(l), mesh_.level_end(l));
+    return (std::max)(sum, 1.);
+  }
+
+  // Shapes from the positions in space, areas from the masses that the corners have collected.
+  void set_targets()
+  {
+    const Corner_table& t = mesh_.table();
+    const bool is_finest = mesh_.level() == mesh_.number_of_levels();
+    parallel_for<ConcurrencyTag>(0, mesh_.number_of_active_faces(), [&](int first, int last) {
+      for (int f = first; f < last; ++f) {
+        if (mesh_.is_virtual_face(f)) {
+          targets_[f] = Face_target();
+          continue;
+        }
+        const auto v = t.face(f);
+        targets_[f].quarter_cot =
+          quarter_cotangents(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), shape_floor_);
+        double area = 0;
+        if (is_finest)
+          area = mesh_.face_area(f);
+        else
+          for (int k = 0; k < 3; ++k) area += mesh_.mass(v[k]) / mesh_.number_of_real_faces(v[k]);
+        targets_[f].area = static_cast<float>(area);
+      }
+    });
+  }
+
+  void build_stars() { stars_.template build<ConcurrencyTag>(mesh_, geometry_, targets_); }
+
+  bool place(int first, int last)
+  {
+    std::atomic<bool> all_placed(true);
+    parallel_for<ConcurrencyTag>(first, last, [&](int begin, int end) {
+      Star star;
+      Star_kernel kernel;
+      for (int v = begin; v < end; ++v) {
+        if (!place(v, star, kernel)) {
+          all_placed = false;
+          return;
+        }
+        for (int i = 0; i < 4; ++i) relax(v, star);
+      }
+    });
+    return all_placed;
+  }
+
+  bool place(int v, Star& star, Star_kernel& kernel)
+  {
+    star.gather(geometry_, stars_, v, mesh_.is_on_border(v));
+    // Half-planes of the edges at the vertex that v was merged into pass exactly through the origin.
+    const Point origin = geometry_.position(mesh_.table().target(mesh_.collapse_half_edge(v)));
+    const auto chart = geometry_.chart(origin, star.ring);
+    Eigen::Vector2d inside;
+    if (geometry_.degrees_of_freedom(v) == 1) {
+      const Point& other_end = star.ring.front() == origin ? star.ring.back() : star.ring.front();
+      Interval_kernel interval(chart.direction_to(other_end), 1);
+      for (int i = 0; i < star.number_of_sectors(); ++i)
+        interval.clip(chart.half_plane(star.ring[i], star.ring[i + 1]));
+      if (interval.is_empty()) return false;
+      inside = interval.middle();
+    } else {
+      kernel.reset(chart.bound);
+      for (int i = 0; i < star.number_of_sectors(); ++i)
+        kernel.clip(chart.half_plane(star.ring[i], star.ring[i + 1]));
+      if (kernel.is_empty()) return false;
+      inside = kernel.centroid();
+      if (try_position(v, star, chart.point(inside))) return true;
+      inside = kernel.vertex_average();
+    }
+    // The kernel is convex and has the origin on its border: the segment to any of its points is inside.
+    for (int k = 0; k < 40; ++k, inside /= 2)
+      if (try_position(v, star, chart.point(inside))) return true;
+    return false;
+  }
+
+  bool try_position(int v, const Star& star, const Point& p)
+  {
+    if (!std::isfinite(star.energy(geometry_, energy_, p))) return false;
+    geometry_.set_position(v, p);
+    return true;
+  }
+
+  void sweep(int times)
+  {
+    if (!landmarks_.empty() && mesh_.number_of_active_vertices() < 1000) geometry_.align(active_landmarks());
+    for (int i = 0; i < times; ++i) {
+      if (i % 4 == 0 && geometry_.update_metric(mesh_, targets_, energy_)) build_stars();
+      Star star;
+      for (int v = 0; v < mesh_.level_end(0); ++v) relax(v, star);
+      // The vertices of a level are not adjacent: any order, and any number of threads, gives the same.
+      for (int l = 1; l <= mesh_.level(); ++l)
+        parallel_for<ConcurrencyTag>(mesh_.level_end(l - 1), mesh_.level_end(l), [&](int first, int last) {
+          Star local;
+          for (int v = first; v < last; ++v) relax(v, local);
+        });
+    }
+  }
+
+  std::vector<Indexed_landmark<Point>> active_landmarks() const
+  {
+    std::vector<Indexed_landmark<Point>> active;
+    for (const auto& l : landmarks_)
+      if (l.vertex < mesh_.number_of_active_vertices()) active.push_back(l);
+    return active;
+  }
+
+  // One Newton step for v alone, over-relaxed, with a line search that stays valid.
+  void relax(int v, Star& star)
+  {
+    const int dof = v == mesh_.apex() ? 0 : geometry_.degrees_of_freedom(v);
+    if (dof == 0) return;
+    star.gather(geometry_, stars_, v, mesh_.is_on_border(v));
+    Quadratic_model m = geometry_.model(star, energy_);
+    const Indexed_landmark<Point>* landmark =
+      landmark_of_.empty() || landmark_of_[v] < 0 ? nullptr : &landmarks_[landmark_of_[v]];
+    if (landmark) geometry_.attract(m, star.position, landmark->target, landmark->weight);
+    Eigen::Vector2d step;
+    if (dof == 2) {
+      step = geometry_.newton_step(m);
+    } else {
+      const Eigen::Vector2d d = geometry_.side_direction(v);
+      const double g = d[0] * m.g0 + d[1] * m.g1;
+      const double h = d[0] * d[0] * m.h00 + 2 * d[0] * d[1] * m.h01 + d[1] * d[1] * m.h11;
+      step = limited(d * (-g / (std::max)(h, 1e-6 * (std::abs(m.h00) + std::abs(m.h11)))), 0.25);
+    }
+    const double slope = step[0] * m.g0 + step[1] * m.g1;
+    if (!(slope < 0)) return;
+    double scale = over_relaxation;
+    for (int i = 0; i < 12; ++i, scale /= 2) {
+      const Point q = geometry_.moved(star, scale * step);
+      double value = star.energy(geometry_, energy_, q);
+      if (landmark) value += landmark->weight * geometry_.squared_distance(q, landmark->target);
+      if (value <= m.value + 1e-4 * scale * slope) {
+        geometry_.set_position(v, q);
+        return;
+      }
+    }
+  }
+
+  static constexpr double over_relaxation = 1.8;
+
+  Collapse_hierarchy& mesh_;
+  Geometry& geometry_;
+  Distortion_energy energy_;
+  Map_options options_;
+  double shape_floor_;
+  std::vector<Indexed_landmark<Point>> landmarks_;
+  std::vector<int> landmark_of_;     // per vertex, -1: none; empty without landmarks
+  std::vector<Face_target> targets_; // of the active faces
+  typename Star::Table stars_;       // of the active vertices
+};
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_ENGINE_COARSE_TO_FINE_LAYOUT_H

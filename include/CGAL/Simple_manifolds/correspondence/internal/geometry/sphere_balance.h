@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_SPHERE_BALANCE_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_SPHERE_BALANCE_H
+
+#include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/variation.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+// A rotation, then the Moebius transform of the sphere that pushes all points away from -boost.
+struct Conformal_motion {
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d boost = Eigen::Vector3d::Zero(); // shorter than 1
+
+  bool is_identity() const { return boost.isZero(0) && rotation.vec().isZero(0); }
+
+  // Calls f(i, image) for the points.
+  template <class F>
+  void for_each_image(const std::vector<Eigen::Vector3d>& points, F&& f) const
+  {
+    const Eigen::Matrix3d turn = rotation.toRotationMatrix();
+    const double scale = 1 - boost.squaredNorm();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Eigen::Vector3d x = turn * points[i] + boost;
+      f(i, Eigen::Vector3d(x * (scale / x.squaredNorm()) + boost));
+    }
+  }
+};
+
+// The same random numbers everywhere (Marsaglia 2003).
+class Xorshift {
+public:
+  double number() // in [-1,1)
+  {
+    state_ ^= state_ << 13;
+    state_ ^= state_ >> 7;
+    state_ ^= state_ << 17;
+    return double(state_ >> 11) / 4503599627370496. - 1;
+  }
+  template <class Vector>
+  Vector in_ball()
+  {
+    for (;;) {
+      Vector x;
+      for (int i = 0; i < x.size(); ++i) x[i] = number();
+      if (x.squaredNorm() < 1) return x;
+    }
+  }
+
+private:
+  std::uint64_t state_ = 0x9E3779B97F4A7C15;
+};
+
+// Searches the motion after which the six tiles hold equally many points, by random trials. For coarse
+// meshes the share of the stars without a chart counts as well.
+class Sphere_balance {
+public:
+  // Large sets are sampled, one point from each of as many runs of indices: less than the noise of a
+  // percent is not asked for.
+  Sphere_balance(const std::vector<Eigen::Vector3d>& points, const std::vector<Triangle>& faces)
+  {
+    constexpr std::size_t largest_sample = 30000, coarse = 500;
+    if (points.size() < coarse) faces_ = faces;
+    const std::size_t n = (std::min)(points.size(), largest_sample);
+    Xorshift random;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double place = n < points.size() ? i + (random.number() + 1) / 2 : double(i);
+      sample_.push_back(points[(std::min)(points.size() - 1, std::size_t(place * points.size() / n))]);
+    }
+    find_rotations();
+  }
+
+  // The best motion with a boost no longer than this.
+  Conformal_motion motion(double longest_boost) const
+  {
+    constexpr double good_enough = 0.01;
+    // The cost of a trial grows with the sample: small ones get more of them.
+    const std::size_t starts =
+      std::clamp<std::size_t>(2 * 30000 / (std::max<std::size_t>)(sample_.size(), 1), 2, rotations_.size());
+    Xorshift random;
+    Trial best = rotations_[0];
+    for (std::size_t i = 0; i < starts && best.cost > good_enough; ++i) {
+      const Trial t = descended(rotations_[i], longest_boost, random);
+      if (t.cost < best.cost) best = t;
+    }
+    return best.motion;
+  }
+
+private:
+  struct Trial {
+    Conformal_motion motion;
+    double cost = 0;
+  };
+
+  // A boost distorts areas, so it has its price.
+  Trial trial(const Conformal_motion& motion) const
+  {
+    std::array<std::size_t, Sphere_atlas::number_of_charts> counts{};
+    const Sphere_atlas atlas;
+    std::vector<Eigen::Vector3d> images(faces_.empty() ? 0 : sample_.size());
+    motion.for_each_image(sample_, [&](std::size_t i, const Eigen::Vector3d& p) {
+      ++counts[atlas.tile(p)];
+      if (!images.empty()) images[i] = p;
+    });
+    double cost = variation(counts) + 0.02 * motion.boost.norm();
+    if (!images.empty()) {
+      const std::vector<Chart_mask> stars = charts_of_stars(atlas, images, faces_);
+      cost += double(std::count(stars.begin(), stars.end(), Chart_mask(0))) / stars.size();
+    }
+    return {motion, cost};
+  }
+
+  void find_rotations()
+  {
+    Xorshift random;
+    rotations_.push_back(trial(Conformal_motion()));
+    for (int i = 0; i < 500; ++i) {
+      Conformal_motion m;
+      m.rotation = Eigen::Quaterniond(random.in_ball<Eigen::Vector4d>().normalized());
+      rotations_.push_back(trial(m));
+    }
+    std::stable_sort(rotations_.begin(), rotations_.end(),
+                     [](const Trial& a, const Trial& b) { return a.cost < b.cost; });
+    rotations_.resize(16);
+  }
+
+  // Steps in random directions, longer after a success and shorter after failures.
+  Trial descended(Trial best, double longest_boost, Xorshift& random) const
+  {
+    double step = 0.3;
+    for (int i = 0; i < 600 && step > 1e-5; ++i) {
+      Conformal_motion m = best.motion;
+      const Eigen::Vector4d turn = step * random.in_ball<Eigen::Vector4d>();
+      m.rotation.coeffs() = (m.rotation.coeffs() + turn).normalized();
+      const Eigen::Vector3d push = step * random.in_ball<Eigen::Vector3d>();
+      if (longest_boost > 0) m.boost += push;
+      if (m.boost.norm() > longest_boost) m.boost *= longest_boost / m.boost.norm();
+      const Trial t = trial(m);
+      if (t.cost < best.cost) {
+        best = t;
+        step = (std::min)(0.5, 1.5 * step);
+      } else
+        step *= 0.97;
+    }
+    return best;
+  }
+
+  std::vector<Eigen::Vector3d> sample_;
+  std::vector<Triangle> faces_;  // of coarse meshes
+  std::vector<Trial> rotations_; // the best ones, the best first
+};
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_SPHERE_BALANCE_H

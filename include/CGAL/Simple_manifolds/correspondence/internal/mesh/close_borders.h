@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_CLOSE_BORDERS_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_CLOSE_BORDERS_H
+
+#include <CGAL/Simple_manifolds/correspondence/Map_options.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/bounding_cube.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/mesh_to_triangles.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+inline double length_of_loop(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& loop,
+                             double scale)
+{
+  double length = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    length += (scale * points[loop[(i + 1) % loop.size()]] - scale * points[loop[i]]).norm();
+  return length;
+}
+
+// Closes border loops by cones over them: virtual vertices at the centres of the loops, after the others, and
+// virtual faces, after the others. INNER leaves the longest loop open.
+inline void close_borders(Mesh_arrays& a, Close_borders which)
+{
+  if (which == Close_borders::NONE || a.topology.is_closed()) return;
+  const Triangle_soup soup(static_cast<int>(a.points.size()), a.triangles);
+  std::vector<std::vector<int>> loops = border_loops(soup, opposite_half_edges(soup));
+  const double scale = unit_scale(a.points);
+  if (which == Close_borders::INNER)
+    loops.erase(std::max_element(loops.begin(), loops.end(), [&](const auto& l, const auto& m) {
+      return length_of_loop(a.points, l, scale) < length_of_loop(a.points, m, scale);
+    }));
+  for (const std::vector<int>& loop : loops) {
+    const int apex = static_cast<int>(a.points.size());
+    Eigen::Vector3d centre(0, 0, 0);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      centre += a.points[loop[i]] / static_cast<double>(loop.size());
+      a.triangles.push_back({loop[(i + 1) % loop.size()], loop[i], apex});
+    }
+    a.points.push_back(centre);
+    a.number_of_virtual_faces += loop.size();
+    a.topology.vertices += 1;
+    a.topology.edges += loop.size();
+    a.topology.faces += loop.size();
+    a.topology.euler_characteristic += 1;
+    a.topology.border_loops -= 1;
+    a.topology.border_edges -= loop.size();
+  }
+}
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_CLOSE_BORDERS_H

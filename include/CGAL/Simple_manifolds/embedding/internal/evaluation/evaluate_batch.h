@@ -1,0 +1,282 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_EVALUATE_BATCH_H
+#define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_EVALUATE_BATCH_H
+
+#include <CGAL/Simple_manifolds/atlas/Jet.h>
+#include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
+#include <CGAL/Simple_manifolds/embedding/internal/evaluation/Batch_weights.h>
+#include <CGAL/Simple_manifolds/embedding/internal/evaluation/Pack.h>
+#include <CGAL/Simple_manifolds/embedding/internal/evaluation/Sphere_batch_weights.h>
+#include <CGAL/Simple_manifolds/embedding/internal/evaluation/Tensor_sum.h>
+#include <CGAL/Simple_manifolds/embedding/internal/evaluation/Torus_batch_weights.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+// The evaluation of surfaces of hierarchical splines at many points at once.
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+// Adds b E with its derivatives: see Batch_slot. x holds E and its derivatives.
+template <int Order, int Width, bool IsTransported>
+void add_blended(const Batch_slot<Order, IsTransported>& slot, int k, const Pack_jet<Width>& x,
+                 Pack_jet<Width>& e)
+{
+  const auto& b = slot.b;
+  e.value += b[0][k] * x.value;
+  if constexpr (Order >= 1) {
+    e.u += b[1][k] * x.value;
+    e.v += b[2][k] * x.value;
+    if constexpr (IsTransported) {
+      e.u += slot.first[0][0][k] * x.u;
+      e.u += slot.first[1][0][k] * x.v;
+      e.v += slot.first[0][1][k] * x.u;
+      e.v += slot.first[1][1][k] * x.v;
+    } else {
+      e.u += b[0][k] * x.u;
+      e.v += b[0][k] * x.v;
+    }
+  }
+  if constexpr (Order >= 2) {
+    e.uu += b[3][k] * x.value;
+    e.uv += b[4][k] * x.value;
+    e.vv += b[5][k] * x.value;
+    if constexpr (IsTransported) {
+      const auto add = [&](int n, Pack<Width>& to) {
+        to += slot.second[0][n][k] * x.u;
+        to += slot.second[1][n][k] * x.v;
+        to += slot.second[2][n][k] * x.uu;
+        to += slot.second[3][n][k] * x.uv;
+        to += slot.second[4][n][k] * x.vv;
+      };
+      add(0, e.uu);
+      add(1, e.uv);
+      add(2, e.vv);
+    } else {
+      e.uu += (2 * b[1][k]) * x.u;
+      e.uv += b[2][k] * x.u;
+      e.uv += b[1][k] * x.v;
+      e.vv += (2 * b[2][k]) * x.v;
+      e.uu += b[0][k] * x.uu;
+      e.uv += b[0][k] * x.uv;
+      e.vv += b[0][k] * x.vv;
+    }
+  }
+}
+
+// The first three coordinates.
+template <int Width>
+Eigen::Vector3d vector(const std::array<Pack_jet<Width>, 4 / Width>& e, Pack<Width> Pack_jet<Width>::*member)
+{
+  constexpr int z = 2 / Width;
+  return {(e[0].*member)[0], (e[0].*member)[1], (e[z].*member)[2 % Width]};
+}
+
+template <int Order, int Width>
+void write_result(const std::array<Pack_jet<Width>, 4 / Width>& e, Eigen::Vector3d& out)
+{
+  out = vector<Width>(e, &Pack_jet<Width>::value);
+}
+
+template <int Order, int Width>
+void write_result(const std::array<Pack_jet<Width>, 4 / Width>& e, Jet& out)
+{
+  using E = Pack_jet<Width>;
+  out.value = vector<Width>(e, &E::value);
+  out.u = vector<Width>(e, &E::u);
+  out.v = vector<Width>(e, &E::v);
+  if constexpr (Order >= 2) {
+    out.uu = vector<Width>(e, &E::uu);
+    out.uv = vector<Width>(e, &E::uv);
+    out.vv = vector<Width>(e, &E::vv);
+  } else {
+    out.uu = out.uv = out.vv = Eigen::Vector3d::Zero();
+  }
+}
+
+// The functions of the leaves of a row of points, with their derivatives by the coordinates of the chart.
+template <int D, int Order>
+struct Basis_rows {
+  std::array<std::array<Row, D + 1>, Order + 1> derivative;
+
+  // \param t      the coordinate in the leaf
+  // \param cells  leaves per unit
+  void compute(const Row& t, const Row& cells)
+  {
+    for (int k = 0; k < row_size; ++k) {
+      const Span_basis<D, Order> basis(t[k]);
+      double scale = 1;
+      for (int n = 0; n <= Order; ++n, scale *= cells[k])
+        for (int r = 0; r <= D; ++r)
+          derivative[n][r][k] = n == 0 ? basis.derivative[n][r] : scale * basis.derivative[n][r];
+    }
+  }
+};
+
+// \tparam D  the degree of all charts
+template <int D, int Order, int Width>
+class Blend_rows {
+public:
+  using Sums = std::array<Pack_jet<Width>, 4 / Width>;
+
+  template <class Surface, class Slot>
+  void add(const Surface& surface, const Slot& slot)
+  {
+    const Leaf_table& first = surface.chart_embedding(0).leaves(); // all have the same base
+    for (int k = 0; k < row_size; ++k) {
+      x_[k] = slot.u[k] * first.base();
+      y_[k] = slot.v[k] * first.base();
+      i_[k] = first.cell(x_[k]);
+      j_[k] = first.cell(y_[k]);
+    }
+    for (int k = 0; k < row_size; ++k) {
+      const int chart = int(slot.chart[k]);
+      scale_[k] = 1;
+      if (chart >= 0) {
+        const Leaf_table::Place place = surface.chart_embedding(chart).leaves().find_place(i_[k], j_[k]);
+        controls_[k] = place.controls;
+        scale_[k] = place.scale;
+        prefetch(place.controls);
+      }
+    }
+    for (int k = 0; k < row_size; ++k) {
+      s_[k] = first.in_leaf(x_[k], scale_[k]);
+      t_[k] = first.in_leaf(y_[k], scale_[k]);
+      scale_[k] *= first.base();
+    }
+    a_.compute(s_, scale_);
+    b_.compute(t_, scale_);
+    for (int k = 0; k < row_size; ++k)
+      if (slot.chart[k] >= 0)
+        for (int i = 0; i < 4 / Width; ++i) {
+          Pack_jet<Width> x;
+          tensor_sum_rows(k, i * Width, x);
+          add_blended<Order, Width>(slot, k, x, sums_[k][i]);
+        }
+  }
+
+  const Sums& operator[](int k) const { return sums_[k]; }
+
+private:
+  static void prefetch(const Quad* c)
+  {
+#if defined(__GNUC__)
+    for (int i = 0; i < (D + 1) * (D + 1); i += 2) __builtin_prefetch(c + i);
+#endif
+  }
+
+  void tensor_sum_rows(int k, int first, Pack_jet<Width>& e) const
+  {
+    const Quad* c = controls_[k];
+    Pack<Width> value{}, u{}, v{}, uu{}, uv{}, vv{};
+    for (int r = 0; r <= D; ++r, c += D + 1) {
+      Pack<Width> s{}, s1{}, s2{};
+      for (int l = 0; l <= D; ++l) {
+        Pack<Width> x;
+        load<Width>(c[l].x + first, x);
+        s += b_.derivative[0][l][k] * x;
+        if constexpr (Order >= 1) s1 += b_.derivative[1][l][k] * x;
+        if constexpr (Order >= 2) s2 += b_.derivative[2][l][k] * x;
+      }
+      value += a_.derivative[0][r][k] * s;
+      if constexpr (Order >= 1) {
+        u += a_.derivative[1][r][k] * s;
+        v += a_.derivative[0][r][k] * s1;
+      }
+      if constexpr (Order >= 2) {
+        uu += a_.derivative[2][r][k] * s;
+        uv += a_.derivative[1][r][k] * s1;
+        vv += a_.derivative[0][r][k] * s2;
+      }
+    }
+    e.value = value;
+    if constexpr (Order >= 1) {
+      e.u = u;
+      e.v = v;
+    }
+    if constexpr (Order >= 2) {
+      e.uu = uu;
+      e.uv = uv;
+      e.vv = vv;
+    }
+  }
+
+  std::array<const Quad*, row_size> controls_;
+  Row x_, y_, s_, t_, scale_;
+  std::array<int, row_size> i_, j_;
+  Basis_rows<D, Order> a_, b_;
+  std::array<Sums, row_size> sums_;
+};
+
+template <int D, int Order, int Width, class Surface, class Weights, class Result>
+void blend_batch(const Surface& surface, const Weights& weights, int n, Result* out)
+{
+  Blend_rows<D, Order, Width> rows;
+  weights.for_each_slot([&](const auto& slot) { rows.add(surface, slot); });
+  for (int k = 0; k < n; ++k) write_result<Order, Width>(rows[k], out[k]);
+}
+
+// Whether `evaluate_batch()` can evaluate surfaces of a type.
+template <class Surface>
+inline constexpr bool may_have_batches =
+  std::is_same_v<typename Surface::Chart_embedding, Hierarchical_embedding>&&
+    has_batch_weights<typename Surface::Atlas>;
+
+// Whether it can evaluate this one: all charts have one base grid and one degree, of those that are compiled.
+template <class Surface>
+bool has_batches(const Surface& surface)
+{
+  const Hierarchical_embedding& first = surface.chart_embedding(0);
+  for (int c = 1; c < Surface::Atlas::number_of_charts; ++c) {
+    const Hierarchical_embedding& e = surface.chart_embedding(c);
+    if (e.degree() != first.degree() || e.levels()[0].cells != first.levels()[0].cells) return false;
+  }
+  return first.degree() >= 2 && first.degree() <= 5;
+}
+
+// Evaluates n points. The result for a point does not depend on the others.
+// \tparam Order  0, then Result is Eigen::Vector3d; or 1 or 2, then it is Jet
+template <int Order, class Surface, class Point, class Result>
+void evaluate_batch(const Surface& surface, const Point* points, int n, Result* out)
+{
+  using Weights = Batch_weights<typename Surface::Atlas, typename Surface::Bump, Order>;
+  Weights weights(surface.atlas(), surface.bump());
+  call_with_widest_packs([&](auto width) {
+    constexpr int w = decltype(width)::value;
+    for (int done = 0; done < n; done += row_size) {
+      const int m = (std::min)(n - done, row_size);
+      for (int k = 0; k < row_size; ++k) weights.set(k, points[done + (std::min)(k, m - 1)]);
+      weights.run();
+      switch (surface.chart_embedding(0).degree()) {
+      case 2:
+        blend_batch<2, Order, w>(surface, weights, m, out + done);
+        break;
+      case 3:
+        blend_batch<3, Order, w>(surface, weights, m, out + done);
+        break;
+      case 4:
+        blend_batch<4, Order, w>(surface, weights, m, out + done);
+        break;
+      default:
+        blend_batch<5, Order, w>(surface, weights, m, out + done);
+      }
+    }
+  });
+}
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_EVALUATE_BATCH_H

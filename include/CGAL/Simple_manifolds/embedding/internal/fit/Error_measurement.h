@@ -1,0 +1,256 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_ERROR_MEASUREMENT_H
+#define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_ERROR_MEASUREMENT_H
+
+#include <CGAL/Simple_manifolds/atlas/Partition_of_unity.h>
+#include <CGAL/Simple_manifolds/embedding/Fit_report.h>
+#include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
+#include <CGAL/Simple_manifolds/embedding/closest_point.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_fit.h>
+#include <CGAL/Simple_manifolds/internal/parallel_for.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+/// The errors of a fit at the points that its report speaks of: all vertices, then three points in each
+/// face, without those that only close borders. Only the errors are stored, not the points.
+template <class Map, class Bump>
+class Error_measurement {
+public:
+  using Atlas = typename Map::Atlas;
+  using Domain_point = typename Atlas::Domain_point;
+  using Partition = Partition_of_unity<Atlas, Bump>;
+
+  /// \param only_vertices  whether the bound for marking is that of the vertices
+  Error_measurement(const Map& map, const Partition& partition, bool only_vertices)
+    : map_(map), partition_(partition), only_vertices_(only_vertices)
+  {
+  }
+
+  /// Measures E - M and fills in the errors of the report; b_c |E_c - M| too.
+  template <class ConcurrencyTag, class Fit>
+  void measure(const Fit& fit, Fit_report& report)
+  {
+    errors_.assign(number_of_points(), -1); // of points that are not there
+    std::vector<Sums> sums(number_of_pieces());
+    parallel_tasks<ConcurrencyTag>(number_of_pieces(), [&](int piece) {
+      for_each_point(piece, [&](std::size_t k, const Domain_point& p, const Eigen::Vector3d& x, int) {
+        Eigen::Vector3d e = -x;
+        Sum& sum = sums[piece][partition_.atlas().tile(p)];
+        for (const auto& w : partition_.weights(p)) {
+          const Eigen::Vector3d own = fit.point(w.point.chart, w.point.uv);
+          e += w.weight * own;
+          sum.disagreement += (w.weight * (own - x)).squaredNorm();
+          ++sum.views;
+        }
+        errors_[k] = e.norm() / map_.diagonal();
+        sum.add(errors_[k]);
+      });
+    });
+    Sums total{};
+    for (const Sums& s : sums)
+      for (std::size_t c = 0; c < total.size(); ++c) total[c] += s[c];
+    Sum all;
+    report.charts.resize(Atlas::number_of_charts);
+    report.controls = fit.controls();
+    for (std::size_t c = 0; c < total.size(); ++c) {
+      Fit_report::Chart& chart = report.charts[c];
+      chart.controls = fit.controls(int(c));
+      chart.levels = fit.levels(int(c));
+      set(total[c], chart.rms_error, chart.max_error);
+      chart.chart_disagreement = disagreement(total[c]);
+      all += total[c];
+    }
+    set(all, report.rms_error, report.max_error);
+    report.chart_disagreement = disagreement(all);
+    Sum vertices;
+    for (std::size_t k = 0; k < map_.number_of_vertices(); ++k)
+      if (errors_[k] >= 0) vertices.add(errors_[k]);
+    set(vertices, report.vertex_rms_error, report.vertex_max_error);
+    report.vertices = vertices.count;
+    report.levels.push_back({report.controls, report.rms_error, report.max_error});
+    rms_ = only_vertices_ ? report.vertex_rms_error : report.rms_error;
+    max_ = only_vertices_ ? report.vertex_max_error : report.max_error;
+  }
+
+  /// Whether what was measured meets the tolerances.
+  bool meets(double rms_tolerance, double max_tolerance) const
+  {
+    return rms_ <= rms_tolerance && max_ <= max_tolerance;
+  }
+
+  /// Above which error the surface has to be refined: a large part of the maximum, as long as that is too
+  /// large; then so low that the points above it have the share of the sum of squares that has to go, so
+  /// that the root mean square becomes small enough (Doerfler 1996).
+  double bound(double rms_tolerance, double max_tolerance, double bulk) const
+  {
+    if (max_ > max_tolerance) return (std::max)(max_tolerance, bulk * max_);
+    std::vector<double> sorted;
+    for (std::size_t k = 0; k < (only_vertices_ ? map_.number_of_vertices() : errors_.size()); ++k)
+      if (errors_[k] >= 0) sorted.push_back(errors_[k]);
+    std::sort(sorted.begin(), sorted.end(), [](double a, double b) { return a > b; });
+    const double ratio = rms_tolerance / rms_, share = (std::max)(1 - ratio * ratio, 0.05);
+    const double wanted = share * rms_ * rms_ * double(sorted.size());
+    std::size_t k = 0;
+    for (double sum = 0; k + 1 < sorted.size() && sum < wanted; ++k) sum += sorted[k] * sorted[k];
+    return sorted[k];
+  }
+
+  /// Adds the cells of the points whose error is above the limit, a fraction of the diagonal.
+  template <class Fit>
+  void add_marks(const Fit& fit, double limit, std::vector<Mark>& marks) const
+  {
+    std::vector<Fit_samples::View> views;
+    for (int piece = 0; piece < number_of_pieces(); ++piece)
+      for_each_point(
+        piece,
+        [&](std::size_t k, const Domain_point& p, const Eigen::Vector3d&, int) {
+          views.clear();
+          for (const auto& w : partition_.weights(p))
+            views.push_back({w.point.chart, -1, w.point.uv, w.weight});
+          fit.mark_jointly(views.data(), views.data() + views.size(), errors_[k] * map_.diagonal(),
+                           limit * map_.diagonal(), marks);
+        },
+        limit);
+  }
+
+  /// Measures closest point distances, and the angles between normals inside of faces.
+  template <class ConcurrencyTag, class Surface, class Visitor>
+  void measure_surface(const Surface& surface, Fit_report& report, Visitor& visitor) const
+  {
+    constexpr int batch = 64; // pieces between reports to the visitor
+    Sums distance{}, angle{};
+    for (int first = 0; first < number_of_pieces(); first += batch) {
+      visitor.progress(double(first) / number_of_pieces());
+      const int count = (std::min)(batch, number_of_pieces() - first);
+      std::vector<Sums> distances(count), angles(count);
+      parallel_tasks<ConcurrencyTag>(count, [&](int piece) {
+        for_each_point(first + piece,
+                       [&](std::size_t, const Domain_point& p, const Eigen::Vector3d& x, int face) {
+                         const int c = partition_.atlas().tile(p);
+                         distances[piece][c].add(closest_point_distance(surface, p, x) / map_.diagonal());
+                         if (face < 0) return;
+                         const Eigen::Vector3d n = face_normal(face), m = surface.normal(p);
+                         const double a = std::atan2(n.cross(m).norm(), n.dot(m));
+                         if (a == a) // a face without area has no normal
+                           angles[piece][c].add(a);
+                       });
+      });
+      for (int piece = 0; piece < count; ++piece)
+        for (std::size_t c = 0; c < distance.size(); ++c) {
+          distance[c] += distances[piece][c];
+          angle[c] += angles[piece][c];
+        }
+    }
+    Sum all, all_angles;
+    double unused;
+    for (std::size_t c = 0; c < distance.size(); ++c) {
+      set(distance[c], report.charts[c].closest_point_rms, report.charts[c].closest_point_max);
+      set(angle[c], report.charts[c].normal_deviation, unused);
+      all += distance[c];
+      all_angles += angle[c];
+    }
+    set(all, report.closest_point_rms, report.closest_point_max);
+    set(all_angles, report.normal_deviation, unused);
+  }
+
+private:
+  struct Sum {
+    std::size_t count = 0, views = 0;
+    double square = 0, largest = 0, disagreement = 0;
+
+    void add(double x)
+    {
+      ++count;
+      square += x * x;
+      largest = (std::max)(largest, x);
+    }
+    Sum& operator+=(const Sum& s)
+    {
+      count += s.count;
+      views += s.views;
+      square += s.square;
+      largest = (std::max)(largest, s.largest);
+      disagreement += s.disagreement;
+      return *this;
+    }
+  };
+  using Sums = std::array<Sum, Atlas::number_of_charts>;
+
+  static void set(const Sum& s, double& rms, double& largest)
+  {
+    rms = s.count > 0 ? std::sqrt(s.square / double(s.count)) : 0;
+    largest = s.largest;
+  }
+  double disagreement(const Sum& s) const
+  {
+    return s.views > 0 ? std::sqrt(s.disagreement / double(s.views)) / map_.diagonal() : 0;
+  }
+
+  Eigen::Vector3d face_normal(int f) const
+  {
+    std::array<Eigen::Vector3d, 3> x;
+    for (int k = 0; k < 3; ++k) {
+      typename Map::Location corner;
+      corner.face = f;
+      corner.barycentric = Eigen::Vector3d::Unit(k);
+      x[k] = map_.position(corner);
+    }
+    return (x[1] - x[0]).cross(x[2] - x[0]);
+  }
+
+  static constexpr std::size_t piece_size = 1024;
+
+  std::size_t number_of_points() const { return map_.number_of_vertices() + 3 * map_.number_of_faces(); }
+  int number_of_pieces() const { return int((number_of_points() + piece_size - 1) / piece_size); }
+
+  // Calls f(index, domain point, point of the mesh, face or -1) for the points of a piece whose
+  // last measured error is above the limit.
+  template <class F>
+  void for_each_point(int piece, const F& f, double limit = -2) const
+  {
+    const std::size_t n = map_.number_of_vertices();
+    const std::size_t last = (std::min)((piece + 1) * piece_size, number_of_points());
+    for (std::size_t k = piece * piece_size; k < last; ++k) {
+      if (errors_[k] <= limit) continue;
+      if (k < n) {
+        if (!map_.is_virtual_vertex(k)) f(k, map_.domain_point(k), map_.point(k), -1);
+        continue;
+      }
+      typename Map::Location location;
+      location.face = int((k - n) / 3);
+      if (map_.is_virtual(location.face)) continue;
+      location.barycentric.setConstant(1. / 6);
+      location.barycentric[(k - n) % 3] = 2. / 3;
+      f(k, map_.to_domain(location), map_.position(location), location.face);
+    }
+  }
+
+  const Map& map_;
+  const Partition& partition_;
+  bool only_vertices_;
+  std::vector<double> errors_; // fractions of the diagonal
+  double rms_ = 0, max_ = 0;
+};
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_ERROR_MEASUREMENT_H

@@ -1,0 +1,13 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_RUMMAGING_H
+#define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_RUMMAGING_H
+
+#include <CGAL/Simple_manifolds/correspondence/internal/Secret.h>
+
+#endif // CGAL_SIMPLE_MANIFOLDS_EMBEDDING_RUMMAGING_H
