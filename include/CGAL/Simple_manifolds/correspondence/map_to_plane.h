@@ -64,8 +64,9 @@ Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
 /// Maps a disk (a connected mesh of genus 0 with one border loop) one to one onto the unit square.
 ///
 /// The corners of the square are four border vertices: those that the named parameter `corners` gives (a range of
-/// four vertices of the border, counterclockwise; the first goes to (0,0)), or else four that are nearly a
-/// fourth of the border's length apart and, where the border has corners of its own, at these. The others
+/// four vertices of the border, counterclockwise; the first goes to (0,0)), or else the border's own: the four at
+/// which it turns at least twice as much as anywhere else. A border without such corners is cut at four vertices that
+/// are nearly a fourth of its length apart and, where it is sharp there, at the sharpest. The others
 /// slide on the sides. An interior edge that joins two vertices of one side is split at
 /// its middle, because its triangle would be flat on the side, and border edges are split where the border
 /// has fewer than four vertices: then the map has more vertices than the mesh, the surface is the same.

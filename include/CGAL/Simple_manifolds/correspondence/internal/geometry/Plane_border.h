@@ -9,20 +9,21 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_PLANE_BORDER_H
 
 #include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/Border_corners.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/bounding_cube.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/split_edges.h>
 #include <CGAL/Simple_manifolds/internal/Polygon_soup.h>
 #include <CGAL/Simple_manifolds/internal/half_edges.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -65,7 +66,6 @@ public:
 
 private:
   using Edge = std::pair<int, int>;
-  static constexpr double pi = 3.14159265358979323846;
   static Edge edge(int v, int w) { return {(std::min)(v, w), (std::max)(v, w)}; }
 
   double length(std::size_t i) const
@@ -82,7 +82,7 @@ private:
     border_.insert(border_.begin() + longest + 1, static_cast<int>(points_.size()) - 1);
   }
 
-  using Corners = std::array<std::size_t, 4>; // places in border_, increasing but for one wrap
+  using Corners = Border_corners::Places; // in border_
 
   Corners places_on_border(const std::vector<int>& corners) const
   {
@@ -98,81 +98,24 @@ private:
     return place;
   }
 
-  // How far the border turns to the left near each of its vertices, in [0, pi/2]: pi minus the angles of the faces,
-  // summed over a hundredth of the border to either side, so that zigzags cancel.
-  std::vector<double> turning(const std::vector<double>& arc) const
-  {
-    std::vector<double> at_vertex(points_.size(), pi);
-    for (const Triangle& t : triangles_)
-      for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector3d a = points_[t[(k + 1) % 3]] - points_[t[k]],
-                              b = points_[t[(k + 2) % 3]] - points_[t[k]];
-        at_vertex[t[k]] -= std::atan2(a.cross(b).norm(), a.dot(b));
-      }
-    const std::size_t n = border_.size();
-    std::vector<double> sum(3 * n + 1, 0.); // over three rounds, so that windows do not wrap
-    for (std::size_t i = 0; i < 3 * n; ++i) sum[i + 1] = sum[i] + at_vertex[border_[i % n]];
-    std::vector<double> result(n);
-    std::size_t first = 0, last = 0;
-    for (std::size_t i = n; i < 2 * n; ++i) {
-      while (arc[first] < arc[i] - arc[n] / 100) ++first;
-      while (last < 3 * n && arc[last] <= arc[i] + arc[n] / 100) ++last;
-      result[i - n] = (std::min)(std::max(sum[last] - sum[first], 0.), pi / 2);
-    }
-    return result;
-  }
-
-  // Where the border has four corners of its own, about a fourth of its length apart, these; else the four vertices
-  // that are most nearly a fourth of the border apart, since lesser turns say nothing about the shape.
   Corners chosen_corners() const
   {
-    const std::size_t n = border_.size();
-    std::vector<double> arc(3 * n + 1, 0.);
-    for (std::size_t i = 0; i < 3 * n; ++i) arc[i + 1] = arc[i] + length(i % n);
-    std::vector<double> turn = turning(arc);
-    std::vector<std::size_t> starts(n);
-    std::iota(starts.begin(), starts.end(), 0);
-    std::stable_sort(starts.begin(), starts.end(),
-                     [&](std::size_t i, std::size_t j) { return turn[i] > turn[j]; });
-    starts.resize(std::min<std::size_t>(n, 64));
-    const Corners sharp = best_corners(arc, turn, starts);
-    double sum = 0;
-    for (const std::size_t c : sharp) sum += turn[c];
-    if (sum > 0.75 * 2 * pi) return sharp;
-    return best_corners(arc, std::vector<double>(n, 0.), starts);
-  }
-
-  // The four vertices that maximise merit less deviation from the places a fourth of the border apart, over the given
-  // first corners.
-  Corners best_corners(const std::vector<double>& arc, const std::vector<double>& merit,
-                       const std::vector<std::size_t>& starts) const
-  {
-    const std::size_t n = border_.size();
-    const double quarter = arc[n] > 0 ? arc[n] / 4 : 1;
-    double best_score = (std::numeric_limits<double>::lowest)();
-    Corners best = {0, 1, 2, 3};
-    for (const std::size_t start : starts) {
-      Corners corner = {start, 0, 0, 0};
-      double score = merit[start];
-      for (std::size_t k = 1; k < 4; ++k) {
-        const double place = arc[start] + static_cast<double>(k) * quarter;
-        double best_here = (std::numeric_limits<double>::lowest)();
-        for (std::size_t i = corner[k - 1] + 1; i <= start + n - (4 - k); ++i) {
-          const double here = merit[i % n] - 4 * std::abs(arc[i] - place) / quarter;
-          if (here > best_here) {
-            best_here = here;
-            corner[k] = i;
-          }
-        }
-        score += best_here;
+    const double scale = unit_scale(points_);
+    const auto vector = [&](int v, int w) -> Eigen::Vector3d {
+      return scale * points_[w] - scale * points_[v];
+    };
+    std::vector<double> turn(points_.size(), CGAL_PI); // pi minus the angles of the faces
+    for (const Triangle& t : triangles_)
+      for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d a = vector(t[k], t[(k + 1) % 3]), b = vector(t[k], t[(k + 2) % 3]);
+        turn[t[k]] -= std::atan2(a.cross(b).norm(), a.dot(b));
       }
-      if (score > best_score) {
-        best_score = score;
-        best = corner;
-      }
+    std::vector<double> turn_on_border, length_on_border;
+    for (std::size_t i = 0; i < border_.size(); ++i) {
+      turn_on_border.push_back(turn[border_[i]]);
+      length_on_border.push_back(vector(border_[i], border_[(i + 1) % border_.size()]).norm());
     }
-    for (std::size_t& c : best) c %= n;
-    return best;
+    return Border_corners(std::move(turn_on_border), length_on_border).places();
   }
 
   void set_sides(const Corners& corner)
