@@ -40,6 +40,9 @@ public:
         "how to map: certified, or paper (Grimm 2002), which may fail; the result is certified either way");
     add("close-borders", po::value<std::string>()->default_value("none"),
         "border loops to close by virtual faces: none, inner (all but the longest), all");
+    add("corners", po::value<std::string>(),
+        "a,b,c,d: the vertices of a disk that go to the corners of the square, counterclockwise on its\n"
+        "border; numbers of the file, from 0 (default: its own corners)");
     add("threads", po::value<int>(), "threads to use, 1 to 1024; results do not depend on it");
     add("quiet,q", po::bool_switch(), "print nothing but errors");
     add("help,h", po::bool_switch(), "print this and end");

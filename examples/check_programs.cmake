@@ -1,4 +1,4 @@
-# cmake -DPART=good_input|bad_input|usage -DMAP_MESH=<program> -DFIT_MESH=<program> -DMESHES=<folder>
+# cmake -DPART=good_input|corners|bad_input|usage -DMAP_MESH=<program> -DFIT_MESH=<program> -DMESHES=<folder>
 #       -DWORK=<empty folder> -DHAS_REPORT=ON|OFF -P check_programs.cmake
 #
 # The contract of map_mesh and fit_mesh: exit status, one line on stderr with the numbers, and either all
@@ -128,6 +128,54 @@ if(PART STREQUAL good_input)
   run(1 "tolerance was not reached: rms error [0-9.e-]+ .*max [0-9.e-]+ .*written"
     ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/tight --tolerance 1e-12 --max-controls 2000 --quiet)
   holds(tight ${fitted})
+endif()
+
+# ---- The corners of the square: those of a patch by itself, or others on demand ---------------------
+if(PART STREQUAL corners)
+  set(grid "OFF\n25 16 0\n")
+  foreach(i RANGE 24)
+    math(EXPR x "${i} % 5")
+    math(EXPR y "${i} / 5")
+    string(APPEND grid "${x} ${y} 0\n")
+  endforeach()
+  foreach(i RANGE 3)
+    foreach(j RANGE 3)
+      math(EXPR a "5 * ${i} + ${j}")
+      math(EXPR b "${a} + 1")
+      math(EXPR c "${a} + 6")
+      math(EXPR d "${a} + 5")
+      string(APPEND grid "4 ${a} ${b} ${c} ${d}\n")
+    endforeach()
+  endforeach()
+  file(WRITE ${WORK}/grid.off "${grid}")
+  run(0 "" ${MAP_MESH} ${WORK}/grid.off -o ${WORK}/grid.ply --quiet)
+  run(0 "" ${MAP_MESH} ${WORK}/grid.off -o ${WORK}/same.ply --corners 0,4,24,20 --quiet --metrics ${WORK}/same.json)
+  run(0 "" ${CMAKE_COMMAND} -E compare_files ${WORK}/grid.ply ${WORK}/same.ply)
+  run(0 "" ${MAP_MESH} ${WORK}/grid.off -o ${WORK}/other.ply --corners 2,14,22,10 --energy amips --lambda 0.1
+    --area-floor 0.02 --quiet)
+  # A square goes to the square with hardly any distortion; turned by 45 degrees it does not.
+  file(READ ${WORK}/same.json metrics)
+  string(JSON angle GET "${metrics}" map angle)
+  run(0 "" ${FIT_MESH} ${WORK}/grid.off -o ${WORK}/fit --corners 2,14,22,10 --quiet)
+  file(READ ${WORK}/fit/metrics.json metrics)
+  string(JSON turned GET "${metrics}" map angle)
+  if(angle GREATER 1.1 OR turned LESS 1.5)
+    message(SEND_ERROR "--corners: angle distortion ${angle} and ${turned}")
+  endif()
+  run(0 "" ${CMAKE_COMMAND} -E compare_files ${WORK}/other.ply ${WORK}/fit/map.ply)
+  foreach(row "0,4,24;four vertices are needed, not 3" "0,4,24,20,15;not 5" "0,4,,20;is no number" "0,4,24,-1;-1.*no number"
+      "0,4,24,x;x.*no number" "0,4,24,25;no vertex 25, the mesh has 25" "0,4,12,20;vertex 12 is not on the border"
+      "0,20,24,4;counterclockwise" "0,4,4,20;counterclockwise")
+    list(POP_BACK row message)
+    run(2 "--corners: .*${message}" ${MAP_MESH} ${WORK}/grid.off -o ${WORK}/none.ply --corners ${row})
+    run(2 "--corners: .*${message}" ${FIT_MESH} ${WORK}/grid.off -o ${WORK}/none --corners ${row})
+  endforeach()
+  run(2 "only a disk has corners, and the mesh is closed" ${MAP_MESH} ${MESHES}/sphere.off -o ${WORK}/none.ply
+    --corners 0,1,2,3)
+  run(2 "the method paper" ${FIT_MESH} ${WORK}/grid.off -o ${WORK}/none --corners 0,4,24,20 --method paper)
+  if(EXISTS ${WORK}/none.ply OR EXISTS ${WORK}/none)
+    message(SEND_ERROR "--corners: a file was written in spite of an error")
+  endif()
 endif()
 
 # ---- Input that must be refused ---------------------------------------------------------------------

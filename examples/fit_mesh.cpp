@@ -2,6 +2,7 @@
 // tessellation, figures and samples into a folder.
 
 #include "program_tools.h"
+#include "square_corners.h"
 
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/IO/surface_io.h>
@@ -340,6 +341,7 @@ int main(int argc, char** argv)
 
     Stopwatch watch;
     const Input input = watch.time("read", [&] { return read_input(options); });
+    const std::vector<Mesh::Vertex_index> square_corners = corners(options, input);
     SM::Atomic_folder folder(options.get<std::string>("output"));
     Progress progress(options.get<bool>("quiet"));
     SM::Partition_report partition;
@@ -351,6 +353,7 @@ int main(int argc, char** argv)
                       .energy_lambda(o.lambda)
                       .area_floor(o.area_floor)
                       .close_borders(close_borders(options))
+                      .corners(square_corners)
                       .visitor(std::ref(progress)));
     });
     Job job{options, request, input, partition, folder, progress, watch};

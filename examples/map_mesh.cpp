@@ -1,6 +1,7 @@
 // Maps a mesh one to one onto the canonical surface of its genus and writes the map as a PLY file.
 
 #include "program_tools.h"
+#include "square_corners.h"
 
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
@@ -87,6 +88,7 @@ int main(int argc, char** argv)
 
     Stopwatch watch;
     const Input input = watch.time("read", [&] { return read_input(options); });
+    const std::vector<Mesh::Vertex_index> square_corners = corners(options, input);
     Progress progress(is_quiet);
     SM::Partition_report partition;
     SM::Any_map any_map = watch.time("map", [&] {
@@ -99,6 +101,7 @@ int main(int argc, char** argv)
                               : effort == "quality" ? SM::Effort::QUALITY
                                                     : SM::Effort::DEFAULT)
                       .close_borders(close_borders(options))
+                      .corners(square_corners)
                       .visitor(std::ref(progress)));
     });
     const auto np = CGAL::parameters::visitor(std::ref(progress));

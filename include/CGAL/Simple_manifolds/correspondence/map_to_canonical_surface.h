@@ -12,8 +12,11 @@
 #include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_torus.h>
 
+#include <CGAL/assertions.h>
+
 #include <utility>
 #include <variant>
+#include <vector>
 
 /// \file
 
@@ -32,8 +35,9 @@ using Any_map =
 /// sphere, of genus 1 to the flat torus.
 ///
 /// The named parameters, errors and guarantees are those of `map_to_sphere()`, but for `domain_point_map` and
-/// `landmarks`, whose types would depend on the genus.
+/// `landmarks`, whose types would depend on the genus; and `corners`, that of `map_to_plane()`.
 ///
+/// \pre `corners` are given for a disk only
 /// \throw Topology_error  also for a connected mesh that is none of the three, saying what it is
 template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
           class NamedParameters = parameters::Default_named_parameters>
@@ -41,8 +45,10 @@ Any_map map_to_canonical_surface(const FaceListGraph& mesh,
                                  const NamedParameters& np = parameters::default_values())
 {
   internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
+  const std::vector<int> corners = internal::corners_of(mesh, arrays, np);
   if (!arrays.topology.is_closed())
-    return internal::map_to_plane<ConcurrencyTag>(std::move(arrays), {}, {}, np);
+    return internal::map_to_plane<ConcurrencyTag>(std::move(arrays), {}, corners, np);
+  CGAL_precondition_msg(corners.empty(), "a closed mesh has no corners");
   if (arrays.topology.genus == 0) return internal::map_to_sphere<ConcurrencyTag>(arrays, {}, np);
   if (arrays.topology.is_connected() && arrays.topology.genus > 1)
     throw Topology_error(Error_code::wrong_genus,

@@ -19,6 +19,16 @@ namespace Simple_manifolds {
 
 namespace internal {
 
+// The corners among the named parameters, as indices of the arrays; none: they are to be chosen.
+template <class FaceListGraph, class NamedParameters>
+std::vector<int> corners_of(const FaceListGraph& mesh, const Mesh_arrays& a, const NamedParameters& np)
+{
+  if constexpr (CGAL::parameters::is_default_parameter<NamedParameters, internal_np::corners_t>::value)
+    return {};
+  else
+    return indices_of(mesh, a, CGAL::parameters::get_parameter_reference(np, internal_np::corners));
+}
+
 // corners: four vertices of the border in counterclockwise order, or none.
 template <class ConcurrencyTag, class NamedParameters>
 Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
@@ -64,7 +74,7 @@ Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
 /// Maps a disk (a connected mesh of genus 0 with one border loop) one to one onto the unit square.
 ///
 /// The corners of the square are four border vertices: those that the named parameter `corners` gives (a range of
-/// four vertices of the border, counterclockwise; the first goes to (0,0)), or else the border's own: the four at
+/// four vertices of the border, counterclockwise; the first goes to (0,0); or an empty one), or else the border's own: the four at
 /// which it turns at least twice as much as anywhere else. A border without such corners is cut at four vertices that
 /// are nearly a fourth of its length apart and, where it is sharp there, at the sharpest. The others
 /// slide on the sides. An interior edge that joins two vertices of one side is split at
@@ -80,10 +90,7 @@ Manifold_map<Plane_atlas> map_to_plane(const FaceListGraph& mesh,
                                        const NamedParameters& np = parameters::default_values())
 {
   internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
-  std::vector<int> corners;
-  if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::corners_t>::value)
-    corners =
-      internal::indices_of(mesh, arrays, CGAL::parameters::get_parameter_reference(np, internal_np::corners));
+  const std::vector<int> corners = internal::corners_of(mesh, arrays, np);
   const auto landmarks = internal::landmarks_of<Eigen::Vector2d>(mesh, arrays, np);
   const std::vector<int> index = std::move(arrays.index);
   Manifold_map<Plane_atlas> map =
