@@ -445,3 +445,14 @@ TEMPLATE_TEST_CASE("the largest derivatives of the weights", "", Bspline_bump<2>
   CHECK(on_torus[0] == Approx(torus_truth[0]).epsilon(0.001));
   CHECK(on_torus[1] == Approx(torus_truth[1]).epsilon(0.06));
 }
+
+#ifndef NDEBUG
+TEST_CASE("there are no weights beyond the border of a chart")
+{
+  const Partition_of_unity<Sphere_atlas, Smoothstep_bump<2>> sphere;
+  const Partition_of_unity<Plane_atlas, Smoothstep_bump<2>> square;
+  CHECK_NOTHROW(square.weight_jets(Chart_point{0, Vector2d(0, 1)}));
+  CHECK_THROWS_AS(square.weight_jets(Chart_point{0, Vector2d(0, 1.1)}), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(sphere.weight_jets(Chart_point{0, Vector2d(0, .5)}), CGAL::Precondition_exception);
+}
+#endif

@@ -103,3 +103,14 @@ TEST_CASE("interpolation in a triangle of the plane and its inverse")
   CHECK((atlas.barycentric(p, q, r, {0.5, 0.5}) - Vector3d(0.5, 0.5, 0)).norm() == 0);
   CHECK((atlas.barycentric(p, q, r, {0.5, 0.5 + 0x1p-53}) - Vector3d(0, 0, 1)).norm() == 0);
 }
+
+#ifndef NDEBUG
+TEST_CASE("points and charts that are none of the square are refused")
+{
+  const Plane_atlas atlas;
+  const Vector2d a(0, 0), b(1, 0), none(std::nan(""), 0);
+  CHECK_THROWS_AS(atlas.chart(1), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(atlas.coordinates(0, Vector2d(1.5, 0)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(atlas.orientation(a, b, none), CGAL::Precondition_exception);
+}
+#endif

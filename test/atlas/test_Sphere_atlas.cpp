@@ -465,3 +465,17 @@ TEST_CASE("canonical points of the sphere")
   CHECK((atlas.canonical({3e-200, 0, 4e-200}) - Vector3d(0.6, 0, 0.8)).norm() < 1e-15);
   CHECK((atlas.canonical({3e200, 0, 4e200}) - Vector3d(0.6, 0, 0.8)).norm() < 1e-15);
 }
+
+#ifndef NDEBUG
+TEST_CASE("points and charts that are none of the sphere's are refused")
+{
+  const Sphere_atlas atlas;
+  const Vector3d x(1, 0, 0), y(0, 1, 0), pole(0, 0, 1), none(std::nan(""), 0, 1);
+  CHECK_THROWS_AS(atlas.chart(6), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(atlas.point(Chart_point{-1, Vector2d(.5, .5)}), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(atlas.coordinates(0, -y), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(atlas.chart(0).jet_at(pole), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(atlas.orientation(x, y, none), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(atlas.canonical(Vector3d::Zero()), CGAL::Precondition_exception);
+}
+#endif

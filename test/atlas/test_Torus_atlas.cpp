@@ -368,3 +368,16 @@ TEST_CASE("canonical points of the torus")
     REQUIRE(atlas.canonical(p) == p);
   }
 }
+
+#ifndef NDEBUG
+TEST_CASE("points and charts that are none of the torus are refused")
+{
+  const Torus_atlas atlas;
+  CHECK_THROWS_AS(atlas.chart(9), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(atlas.point(Chart_point{0, Vector2d(.5, 1.1)}), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(atlas.coordinates(0, Vector2d(.9, .5)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(atlas.canonical(Vector2d(std::nan(""), 0)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(atlas.orientation(Vector2d(0, 0), Vector2d(1, 0), Vector2d(0, .1)),
+                  CGAL::Precondition_exception);
+}
+#endif

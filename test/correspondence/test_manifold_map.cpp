@@ -314,3 +314,27 @@ TEST_CASE("copies of a map are maps of their own")
   }
   CHECK(copy(Eigen::Vector2d(0.25, 0.75)).isApprox(Eigen::Vector3d(0.5, 1.5, 0)));
 }
+
+#ifndef NDEBUG
+TEST_CASE("what is no vertex, no face or no location is refused")
+{
+  const auto map = map_of(sample::square_grid(2, 2)); // 9 vertices, 8 faces
+  CHECK_THROWS_AS(map.point(9), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(map.domain_point(9), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(map.is_virtual_vertex(9), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(map.face(8), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(map.is_virtual(8), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(map.chart(8), CGAL::Precondition_exception);
+
+  using Location = Manifold_map<Plane_atlas>::Location;
+  const Eigen::Vector3d centre = Eigen::Vector3d::Constant(1 / 3.);
+  CHECK_NOTHROW(map.position({7, centre}));
+  CHECK_NOTHROW(map.to_domain({7, centre}));
+  for (const Location& wrong :
+       {Location{-1, centre}, Location{8, centre}, Location{0, Eigen::Vector3d(1, 1, -1)}, Location(),
+        Location{0, Eigen::Vector3d(0.5, 0.5, 0.5)}, Location{0, Eigen::Vector3d(std::nan(""), 0, 1)}}) {
+    CHECK_THROWS_AS(map.position(wrong), CGAL::Precondition_exception);
+    CHECK_THROWS_AS(map.to_domain(wrong), CGAL::Precondition_exception);
+  }
+}
+#endif

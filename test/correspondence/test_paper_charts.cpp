@@ -8,6 +8,7 @@
 #include <CGAL/Simple_manifolds/paper/map/Chart_correspondence.h>
 
 #include <map>
+#include <type_traits>
 
 using namespace CGAL::Simple_manifolds;
 using Eigen::Vector2d;
@@ -212,3 +213,22 @@ TEST_CASE("On the sphere the two directions disagree in the gaps between default
     previous_worst = worst;
   }
 }
+
+TEST_CASE("The correspondence by charts refers to its map, so that a temporary one is refused")
+{
+  using Map = Manifold_map<Sphere_atlas>;
+  STATIC_REQUIRE(std::is_constructible_v<Chart_correspondence<Map>, const Map&>);
+  STATIC_REQUIRE(!std::is_constructible_v<Chart_correspondence<Map>, Map>);
+}
+
+#ifndef NDEBUG
+TEST_CASE("Charts and faces that are none are refused by the correspondence by charts")
+{
+  const auto map = map_of(sample::subdivided(sample::octahedron(), 3)); // 512 faces
+  const Chart_correspondence charts(map);
+  CHECK_THROWS_AS(charts.faces(6), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(charts.default_chart(512), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(charts.to_mesh(-1, Vector2d(.5, .5)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(charts.to_chart(0, {512, Vector3d(1, 0, 0)}), CGAL::Precondition_exception);
+}
+#endif

@@ -6,6 +6,7 @@
 #include <CGAL/Simple_manifolds/embedding/Map_embedding.h>
 
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace SM = CGAL::Simple_manifolds;
@@ -70,6 +71,13 @@ TEST_CASE("A surface of map embeddings is the mesh, with the derivatives of its 
   check(octahedron_map(2, bumpy_sphere));
   check(grid_map<SM::Torus_atlas>(7, [](const Vector2d& p) { return bumpy_torus(p); }));
   check(grid_map<SM::Plane_atlas>(5, wavy_sheet));
+}
+
+TEST_CASE("A map embedding refers to its map, so that a temporary one is refused")
+{
+  using Map = SM::Manifold_map<SM::Sphere_atlas>;
+  STATIC_REQUIRE(std::is_constructible_v<SM::Map_embedding<Map>, const Map&, int>);
+  STATIC_REQUIRE(!std::is_constructible_v<SM::Map_embedding<Map>, Map, int>);
 }
 
 TEST_CASE("The normal of a surface of map embeddings is that of the face")

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 namespace SM = CGAL::Simple_manifolds;
@@ -264,4 +265,13 @@ TEST_CASE("Gauss-Newton steps find the closest point of a sheared parallelogram,
   CHECK(distance({.5, .5}, {2.5, 1.25, 0}) == Approx(.25));
   CHECK(distance({.9, .9}, {-1, -1, 0}) == Approx(std::sqrt(2.)));
   check_against_brute_force(surface, 200, random_points(300, 4));
+}
+
+TEST_CASE("A finder refers to its surface, so that a temporary one is refused")
+{
+  using Surface = analytic::Ellipsoid_surface;
+  using Finder = SM::Closest_point_finder<Surface>;
+  STATIC_REQUIRE(std::is_constructible_v<Finder, const Surface&>);
+  STATIC_REQUIRE(!std::is_constructible_v<Finder, Surface>);
+  STATIC_REQUIRE(!std::is_constructible_v<Finder, const Surface>);
 }

@@ -375,6 +375,43 @@ TEST_CASE("Fits are deterministic, whatever the number of threads, and a fitter 
     }
 }
 
+TEST_CASE("A fitter, which refers to a map and to itself, takes no temporary map and cannot be copied")
+{
+  using Map = Analytic_map<SM::Sphere_atlas>;
+  using Fitter = SM::Surface_fitter<Map>;
+  STATIC_REQUIRE(std::is_constructible_v<Fitter, const Map&>);
+  STATIC_REQUIRE(std::is_constructible_v<Fitter, Map&, SM::Fit_options>);
+  STATIC_REQUIRE(!std::is_constructible_v<Fitter, Map>);
+  STATIC_REQUIRE(!std::is_constructible_v<Fitter, const Map, SM::Fit_options>);
+  STATIC_REQUIRE(!std::is_constructible_v<Fitter, const Fitter&>);
+  STATIC_REQUIRE(!std::is_constructible_v<Fitter, Fitter>);
+  STATIC_REQUIRE(!std::is_assignable_v<Fitter&, const Fitter&>);
+  STATIC_REQUIRE(!std::is_assignable_v<Fitter&, Fitter>);
+}
+
+#ifndef NDEBUG
+TEST_CASE("There are as many weights as vertices, finite and not negative")
+{
+  const Analytic_map<SM::Sphere_atlas> map(bumpy_sphere, 4);
+  const auto fitter = [&](std::vector<double> weights) {
+    SM::Fit_options options;
+    options.vertex_weights = std::move(weights);
+    SM::Surface_fitter<Analytic_map<SM::Sphere_atlas>>(map, options);
+  };
+  std::vector<double> weights(map.number_of_vertices(), 1.);
+  CHECK_NOTHROW(fitter({}));
+  CHECK_NOTHROW(fitter(weights));
+  for (const double wrong : {-1., std::nan(""), HUGE_VAL}) {
+    weights.back() = wrong;
+    CHECK_THROWS_AS(fitter(weights), CGAL::Precondition_exception);
+  }
+  weights.pop_back();
+  CHECK_THROWS_AS(fitter(weights), CGAL::Precondition_exception);
+  weights.resize(map.number_of_vertices() + 1, 1.);
+  CHECK_THROWS_AS(fitter(weights), CGAL::Precondition_exception);
+}
+#endif
+
 TEST_CASE("A fit does not depend on where the shape lies")
 {
   const Vector3d far(1000, -2000, 500);

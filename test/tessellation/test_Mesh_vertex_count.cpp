@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -72,4 +73,11 @@ TEMPLATE_TEST_CASE("faces are split until each has at most n vertices of the mes
     CHECK(wrong == 0);
     CHECK(shared > 0); // the test has vertices on edges
   }
+}
+
+TEST_CASE("the criterion refers to its map, so that a temporary one is refused")
+{
+  using Map = SM::Manifold_map<SM::Sphere_atlas>;
+  STATIC_REQUIRE(std::is_constructible_v<SM::Mesh_vertex_count<Map>, const Map&, int>);
+  STATIC_REQUIRE(!std::is_constructible_v<SM::Mesh_vertex_count<Map>, Map, int>);
 }

@@ -13,6 +13,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 using Vector = Eigen::Vector3d;
@@ -130,6 +131,19 @@ TEST_CASE("edges are measured in space")
     error = (std::max)(error, std::abs(excess[f] - longest / 0.5));
   }
   CHECK(error < 1e-14);
+}
+
+TEST_CASE("criteria refer to their surface, so that a temporary one is refused")
+{
+  using Surface = decltype(ellipsoid({1, 2, 3}));
+  using Chord_error = SM::Chord_error<Surface>;
+  using Edge_length = SM::Edge_length<Surface>;
+  STATIC_REQUIRE(std::is_constructible_v<Chord_error, const Surface&, double>);
+  STATIC_REQUIRE(!std::is_constructible_v<Chord_error, Surface, double>);
+  STATIC_REQUIRE(!std::is_constructible_v<Chord_error, Surface, double, double>);
+  STATIC_REQUIRE(std::is_constructible_v<Edge_length, const Surface&, double>);
+  STATIC_REQUIRE(!std::is_constructible_v<Edge_length, Surface, double>);
+  STATIC_REQUIRE(!std::is_constructible_v<Edge_length, Surface, double, double>);
 }
 
 TEST_CASE("a batch of some faces is measured as in the batch of all")

@@ -13,6 +13,8 @@
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/atlas/internal/Short_list.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 
 #include <array>
@@ -110,6 +112,8 @@ public:
   /// \pre `a.uv` in the open unit square (on the plane: the closed one)
   Weight_jet_list weight_jets(const Chart_point& a) const
   {
+    CGAL_precondition(has_single_chart ? a.uv.minCoeff() >= 0 && a.uv.maxCoeff() <= 1
+                                       : a.uv.minCoeff() > 0 && a.uv.maxCoeff() < 1);
     return weight_jets(a, atlas_.chart(a.chart).point_jet(a.uv));
   }
 

@@ -131,6 +131,7 @@ public:
   /// \pre all coordinates are finite
   int orientation(const Domain_point& p, const Domain_point& q, const Domain_point& r) const
   {
+    CGAL_precondition(p.allFinite() && q.allFinite() && r.allFinite());
     const Eigen::Vector2i zero(0, 0);
     return internal::sign_of_area(p, q, zero, r, zero);
   }

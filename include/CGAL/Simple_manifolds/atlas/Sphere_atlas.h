@@ -104,6 +104,7 @@ public:
       constexpr double a = pi, b = latitude_range;
       const Domain_point q = to_chart(p);
       const double x = q[0], y = q[1], z = q[2], r2 = x * x + y * y, r = std::sqrt(r2);
+      CGAL_precondition(r2 > 0);
       return {p,
               to_domain(-a * y, a * x, 0),
               to_domain(-b * z * x / r, -b * z * y / r, b * r),
@@ -240,6 +241,7 @@ public:
   /// \pre all coordinates are finite
   int orientation(const Domain_point& p, const Domain_point& q, const Domain_point& r) const
   {
+    CGAL_precondition(p.allFinite() && q.allFinite() && r.allFinite());
     return internal::sign_of_determinant(p, q, r);
   }
 

@@ -84,6 +84,7 @@ public:
     /// \pre `uv` in [0,1]^2
     Domain_point point(const Eigen::Vector2d& uv) const
     {
+      CGAL_precondition(uv.minCoeff() >= 0 && uv.maxCoeff() <= 1);
       return {Torus_atlas::position(column_, uv[0]), Torus_atlas::position(row_, uv[1])};
     }
 
@@ -233,6 +234,7 @@ public:
   /// \pre the coordinates are finite
   Domain_point canonical(const Domain_point& p) const
   {
+    CGAL_precondition(p.allFinite());
     const auto wrap = [](double u) {
       const double w = u - std::floor(u);
       return w < 1 ? w : 0.; // a tiny negative number is rounded to 1

@@ -22,6 +22,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -91,20 +92,37 @@ public:
   std::size_t number_of_virtual_faces() const { return number_of_virtual_faces_; }
   /// Whether the face closes a border and is no part of the mesh, see `Close_borders`.
   /// \pre `f < number_of_faces()`
-  bool is_virtual(std::size_t f) const { return f + number_of_virtual_faces_ >= faces_.size(); }
+  bool is_virtual(std::size_t f) const
+  {
+    CGAL_precondition(f < faces_.size());
+    return f + number_of_virtual_faces_ >= faces_.size();
+  }
   /// Whether all faces of the vertex are virtual.
   /// \pre `v < number_of_vertices()`
   bool is_virtual_vertex(std::size_t v) const
   {
+    CGAL_precondition(v < points_.size());
     return std::binary_search(virtual_vertices_.begin(), virtual_vertices_.end(), static_cast<int>(v));
   }
 
   /// \pre `v < number_of_vertices()`
-  const Eigen::Vector3d& point(std::size_t v) const { return points_[v]; }
+  const Eigen::Vector3d& point(std::size_t v) const
+  {
+    CGAL_precondition(v < points_.size());
+    return points_[v];
+  }
   /// \pre `f < number_of_faces()`
-  const Triangle& face(std::size_t f) const { return faces_[f]; }
+  const Triangle& face(std::size_t f) const
+  {
+    CGAL_precondition(f < faces_.size());
+    return faces_[f];
+  }
   /// \pre `v < number_of_vertices()`
-  const Domain_point& domain_point(std::size_t v) const { return domain_points_[v]; }
+  const Domain_point& domain_point(std::size_t v) const
+  {
+    CGAL_precondition(v < domain_points_.size());
+    return domain_points_[v];
+  }
 
   /// The positions of the vertices.
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
@@ -118,7 +136,7 @@ public:
   /// \pre `f < number_of_faces()`
   int chart(std::size_t f) const
   {
-    const Triangle& t = faces_[f];
+    const Triangle& t = face(f);
     return internal::default_chart(atlas_, domain_points_[t[0]], domain_points_[t[1]], domain_points_[t[2]]);
   }
   /// @}
@@ -127,9 +145,10 @@ public:
   /// @{
 
   /// M^-1: the domain point of a point of the mesh.
-  /// \pre `location.face` is a face; the barycentric coordinates are not negative and have sum 1
+  /// \pre `location.face` is a face; the barycentric coordinates are not negative and have sum 1, up to 1e-9
   Domain_point to_domain(const Location& location) const
   {
+    CGAL_precondition(is_in_mesh(location));
     const Triangle& t = faces_[location.face];
     for (int k = 0; k < 3; ++k)
       if (location.barycentric[k] == 1) // without the rounding of lifts
@@ -170,8 +189,10 @@ public:
   }
 
   /// The point in space of a location.
+  /// \pre as for `to_domain()`
   Eigen::Vector3d position(const Location& location) const
   {
+    CGAL_precondition(is_in_mesh(location));
     const Triangle& t = faces_[location.face];
     return location.barycentric[0] * points_[t[0]] + location.barycentric[1] * points_[t[1]] +
            location.barycentric[2] * points_[t[2]];
@@ -242,6 +263,12 @@ private:
     }
     diagonal_ = box.isEmpty() ? 0. : (scale * (box.max)() - scale * (box.min)()).norm() / scale;
     is_inward_oriented_ = Atlas::is_closed && volume < 0;
+  }
+
+  bool is_in_mesh(const Location& location) const
+  {
+    return location.face >= 0 && location.face < static_cast<int>(faces_.size()) &&
+           location.barycentric.minCoeff() >= 0 && std::abs(location.barycentric.sum() - 1) <= 1e-9;
   }
 
   // The sphere's predicates do not depend on the length of a vector, and normalising would move it.

@@ -75,6 +75,7 @@ Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
 ///     `SimpleManifoldsVisitor` passed by `std::ref`} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// \pre the numbers of the parameters are in their ranges, the points and weights of landmarks finite
 /// \return the map; its vertices are the used vertices of `mesh` in their order, then those that split edges
 /// \throw Topology_error  when the mesh is no connected surface of the kind above, or not simplicial
 /// \throw Geometry_error  when a coordinate is not finite, or the extent is no double

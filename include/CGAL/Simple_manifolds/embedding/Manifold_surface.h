@@ -68,8 +68,12 @@ public:
   const Atlas& atlas() const { return partition_.atlas(); }
   /// The bump function.
   const Bump& bump() const { return partition_.bump(); }
-  /// E_c.
-  const Chart_embedding& chart_embedding(int c) const { return charts_[c]; }
+  /// E_c. \pre `0 <= c < Atlas::number_of_charts`
+  const Chart_embedding& chart_embedding(int c) const
+  {
+    CGAL_precondition(0 <= c && c < Atlas::number_of_charts);
+    return charts_[c];
+  }
 
   /// The number of continuous derivatives of E: the least of the bump and of the embeddings.
   int smoothness() const

@@ -37,6 +37,7 @@ class Map_embedding {
 public:
   /// The map must outlive the embedding.
   Map_embedding(const Map& map, int chart) : map_(&map), chart_(chart) {}
+  Map_embedding(const Map&&, int) = delete;
 
   /// Always 0.
   int smoothness() const { return 0; }
@@ -99,7 +100,7 @@ private:
 
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///
-/// One `Map_embedding` for each chart, as `Manifold_surface` takes them.
+/// One `Map_embedding` for each chart, as `Manifold_surface` takes them. The map must outlive them.
 template <class Map>
 std::vector<Map_embedding<Map>> map_embeddings(const Map& map)
 {
@@ -107,6 +108,8 @@ std::vector<Map_embedding<Map>> map_embeddings(const Map& map)
   for (int c = 0; c < Map::Atlas::number_of_charts; ++c) charts.emplace_back(map, c);
   return charts;
 }
+template <class Map>
+std::vector<Map_embedding<Map>> map_embeddings(const Map&&) = delete;
 
 } // namespace Simple_manifolds
 } // namespace CGAL

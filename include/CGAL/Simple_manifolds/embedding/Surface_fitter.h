@@ -73,7 +73,7 @@ struct Fit_options {
   /// Weight of the thin plate energy, the integral of |E_c''|^2 over the charts; that of the mean squared
   /// error is 1. For noisy meshes; 0 is best for others.
   double fairness = 0;
-  /// One weight per vertex of the map, >= 0, relative to one another; empty: all equal. Samples inside of
+  /// One weight per vertex of the map, finite, >= 0, relative to one another; empty: all equal. Samples inside of
   /// faces are not weighted.
   std::vector<double> vertex_weights;
 };
@@ -90,7 +90,8 @@ struct Fit_options {
 /// solved for together, with the blend inside the system, and cells are split where the surface E itself
 /// errs, until it meets both tolerances or the limit of the controls is reached.
 ///
-/// The result is deterministic, and does not depend on the number of threads.
+/// The result is deterministic, and does not depend on the number of threads. A fitter can neither be copied nor
+/// moved: its parts refer to one another.
 ///
 /// \tparam Map   a model of `ManifoldMap`. Used are: the types `Atlas`, `Domain_point` and `Location`
 ///               (default constructible, with members `face` and `barycentric`), and the members
@@ -107,8 +108,9 @@ public:
   using Surface = Manifold_surface<Atlas, Hierarchical_embedding, Bump>; ///< what is fitted
 
   /// The map must outlive the fitter.
-  /// \pre the tolerances, the fairness and the weights are not negative, the fairness at most 1e12; the degree is in 2..5;
-  ///   `max_controls` allows for the coarsest space: `number_of_charts * (4 + spline_degree)^2`
+  /// \pre the tolerances and the fairness are not negative, the fairness is at most 1e12; the degree is in 2..5;
+  ///   `max_controls` allows for the coarsest space: `number_of_charts * (4 + spline_degree)^2`; there are no
+  ///   `vertex_weights` or as many as vertices, finite and not negative
   Surface_fitter(const Map& map, const Fit_options& options = Fit_options(), const Bump& bump = Bump())
     : map_(map), options_(options), partition_(bump, map.atlas()), sampler_(map, partition_),
       errors_(map, partition_, options.marking == Marking::VERTICES)
@@ -118,7 +120,14 @@ public:
     CGAL_precondition(options.spline_degree >= 2 && options.spline_degree <= 5);
     CGAL_precondition(options.max_controls >= std::size_t(Atlas::number_of_charts) *
                                                 (4 + options.spline_degree) * (4 + options.spline_degree));
+    CGAL_precondition(options.vertex_weights.empty() ||
+                      options.vertex_weights.size() == map.number_of_vertices());
+    CGAL_precondition(std::all_of(options.vertex_weights.begin(), options.vertex_weights.end(),
+                                  [](double w) { return w >= 0 && std::isfinite(w); }));
   }
+  Surface_fitter(const Map&&, const Fit_options& = Fit_options(), const Bump& = Bump()) = delete;
+  Surface_fitter(const Surface_fitter&) = delete;
+  Surface_fitter& operator=(const Surface_fitter&) = delete;
 
   /// Fits; may be called repeatedly, with equal results.
   /// \param visitor  derived from `Default_visitor`; phases "fit" and "measure"

@@ -106,6 +106,7 @@ public:
 
   /// \param surface  a `Manifold_surface`, twice differentiable, which must outlive the finder
   explicit Closest_point_finder(const Surface& surface) : surface_(surface), tree_(surface) {}
+  explicit Closest_point_finder(const Surface&&) = delete;
 
   /// The surface.
   const Surface& surface() const { return surface_; }

@@ -57,7 +57,8 @@ inline constexpr bool is_map<T, std::void_t<typename T::Domain_point, typename T
 ///   - `joint_solve` (`Joint_solve`, `AT_END`): when the charts are fitted together
 ///   - `marking` (`Marking`, `ALL_POINTS`): which points must be brought within the tolerance
 ///   - `fairness` (double from 0 to 1e12, 0): weight of the thin plate energy, for noisy meshes
-///   - `vertex_weights` (range of double, one per vertex of the map, all equal): weights of the vertices
+///   - `vertex_weights` (range of double, finite and >= 0, one per vertex of the map, all equal): weights
+///     of the vertices, relative to one another
 ///   - `fit_report` (`std::reference_wrapper<Fit_report>`): receives errors, counts and times
 ///   - `visitor` (derived from `Default_visitor`, by `std::ref`)
 /// \throw Geometry_error  `zero_extent`: all vertices coincide; `extent_out_of_range`: the diagonal of the mesh

@@ -64,9 +64,10 @@ class Mesh_vertex_count {
 public:
   using Triangulation = Domain_triangulation<typename Map::Atlas>; ///< what it measures faces of
 
-  /// \param map  is referred to
+  /// \param map  must outlive this
   /// \pre `n >= 1`
   Mesh_vertex_count(const Map& map, int n) : map_(&map), n_(n) { CGAL_precondition(n >= 1); }
+  Mesh_vertex_count(const Map&&, int) = delete;
 
   /// Sets `excess[i]` to the excess of face `faces[i]`, see `TessellationSizing`.
   void operator()(const Triangulation& t, const std::vector<int>& faces, std::vector<double>& excess) const

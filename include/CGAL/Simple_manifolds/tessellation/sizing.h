@@ -111,7 +111,7 @@ class Chord_error {
 public:
   using Triangulation = Domain_triangulation<typename Surface::Atlas>; ///< what it measures faces of
 
-  /// \param surface    is referred to
+  /// \param surface    must outlive this
   /// \param tolerance  as a fraction of the diagonal of the bounding box of the surface
   /// \pre `tolerance > 0`
   Chord_error(const Surface& surface, double tolerance)
@@ -125,6 +125,8 @@ public:
   {
     CGAL_precondition(tolerance > 0 && unit > 0);
   }
+  Chord_error(const Surface&&, double) = delete;
+  Chord_error(const Surface&&, double, double) = delete;
 
   /// Sets `excess[i]` to the excess of face `faces[i]`, see `TessellationSizing`.
   void operator()(const Triangulation& t, const std::vector<int>& faces, std::vector<double>& excess) const
@@ -175,7 +177,7 @@ class Edge_length {
 public:
   using Triangulation = Domain_triangulation<typename Surface::Atlas>; ///< what it measures faces of
 
-  /// \param surface  is referred to
+  /// \param surface  must outlive this
   /// \param limit    as a fraction of the diagonal of the bounding box of the surface
   /// \pre `limit > 0`
   Edge_length(const Surface& surface, double limit) : Edge_length(surface, limit, surface_diagonal(surface))
@@ -187,6 +189,8 @@ public:
   {
     CGAL_precondition(limit > 0 && unit > 0);
   }
+  Edge_length(const Surface&&, double) = delete;
+  Edge_length(const Surface&&, double, double) = delete;
 
   /// Sets `excess[i]` to the excess of face `faces[i]`, see `TessellationSizing`.
   void operator()(const Triangulation& t, const std::vector<int>& faces, std::vector<double>& excess) const

@@ -66,18 +66,30 @@ public:
     }
     for (auto& t : triangles) bins_.emplace_back(std::move(t));
   }
+  explicit Chart_correspondence(const Map&&) = delete;
 
   /// The map.
   const Map& map() const { return map_; }
   /// The faces all of whose vertices lie in a chart.
-  const std::vector<int>& faces(int chart) const { return faces_[chart]; }
+  /// \pre it is one of the atlas
+  const std::vector<int>& faces(int chart) const
+  {
+    CGAL_precondition(0 <= chart && chart < Atlas::number_of_charts);
+    return faces_[chart];
+  }
   /// The chart that decides where a face goes, -1: none.
-  int default_chart(int face) const { return default_chart_[face]; }
+  /// \pre it is a face of the map
+  int default_chart(int face) const
+  {
+    CGAL_precondition(0 <= face && face < static_cast<int>(default_chart_.size()));
+    return default_chart_[face];
+  }
 
   /// M_c: the point of the mesh that belongs to a point of a chart; nothing where no face lies in the chart.
-  /// \pre `uv` is in the closed unit square
+  /// \pre it is a chart of the atlas, and `uv` is in the closed unit square
   std::optional<Location> to_mesh(int chart, const Eigen::Vector2d& uv) const
   {
+    CGAL_precondition(0 <= chart && chart < Atlas::number_of_charts);
     const Triangle_bins::Hit hit = bins_[chart].find(uv);
     if (hit.triangle == -1) return std::nullopt;
     Location location;
@@ -88,8 +100,11 @@ public:
 
   /// M_c^-1: the coordinates in a chart of a point of the mesh; nothing where the face does not lie in the
   /// chart.
+  /// \pre they are a chart of the atlas and a face of the map
   std::optional<Eigen::Vector2d> to_chart(int chart, const Location& location) const
   {
+    CGAL_precondition(0 <= chart && chart < Atlas::number_of_charts);
+    CGAL_precondition(0 <= location.face && location.face < static_cast<int>(masks_.size()));
     if ((masks_[location.face] >> chart & 1) == 0) return std::nullopt;
     const Triangle_bins::Plane_triangle t = triangle(chart, location.face);
     const Eigen::Vector3d& b = location.barycentric;
@@ -100,7 +115,7 @@ public:
   /// \pre the face has a default chart
   Domain_point to_domain(const Location& location) const
   {
-    const int c = default_chart_[location.face];
+    const int c = default_chart(location.face);
     CGAL_precondition(c != -1);
     return map_.atlas().canonical(map_.atlas().point({c, *to_chart(c, location)}));
   }

@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_PAPER_MAP_DISTANCES_H
 #define CGAL_SIMPLE_MANIFOLDS_PAPER_MAP_DISTANCES_H
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -81,6 +82,7 @@ typename boost::graph_traits<Graph>::vertex_descriptor farthest_vertex(const Gra
                                                                        DistanceMap distance)
 {
   const auto all = vertices(graph);
+  CGAL_precondition(all.begin() != all.end());
   return *std::max_element(all.begin(), all.end(),
                            [&](const auto v, const auto w) { return get(distance, v) < get(distance, w); });
 }
@@ -94,6 +96,7 @@ template <class FaceGraph>
 std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> far_vertices(const FaceGraph& mesh,
                                                                                      int n)
 {
+  CGAL_precondition(n <= static_cast<int>(num_vertices(mesh)));
   const auto distance = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
   std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> result{*vertices(mesh).begin()};
   edge_distances(mesh, result, distance);

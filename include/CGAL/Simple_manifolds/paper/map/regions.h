@@ -11,6 +11,7 @@
 #include <CGAL/Simple_manifolds/paper/map/shortest_path.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -67,6 +68,7 @@ Edge_path<FaceGraph> region_border_loop(const FaceGraph& mesh,
                                         typename boost::graph_traits<FaceGraph>::halfedge_descriptor first,
                                         const IsInside& is_inside)
 {
+  CGAL_precondition(is_region_border(mesh, first, is_inside));
   Edge_path<FaceGraph> loop;
   auto h = first;
   do {
