@@ -50,6 +50,7 @@ Error_code refused(const std::string& file)
   try {
     SM::read_map(file);
   } catch (const SM::Error& e) {
+    CHECK_THAT(e.what(), Catch::Matchers::ContainsSubstring(file));
     return e.code();
   }
   FAIL("the file was accepted");
@@ -136,4 +137,6 @@ TEST_CASE("what is no map, or no valid one, is refused")
   folded = replaced(folded, " first\n", line(1));
   CHECK(code(folded) == Error_code::map_not_bijective);
   CHECK(code(replaced(good, line(0), " nan 0 0\n")) == Error_code::map_not_bijective);
+  const std::string position = "end_header\n" + SM::internal::shortest(map.point(0)[0]);
+  CHECK(code(replaced(good, position, "end_header\nnan")) == Error_code::non_finite_coordinate);
 }

@@ -231,6 +231,70 @@ TEST_CASE("Meshes of other topology are refused with their numbers", "[map]")
   CHECK(code(read("hand.off"), plane) == SM::Error_code::no_border);
 }
 
+TEST_CASE("When no map is one to one, the error says what the last certificate said", "[map]")
+{
+  using Vector3d = Eigen::Vector3d;
+  Random random(9);
+  const Triangle_mesh mesh = random_sphere(60, 100, 0, random);
+  const SM::internal::Layout_problem<Vector3d> problem{mesh.points, mesh.triangles};
+  int attempts = 0;
+  std::string last_sentence;
+  const auto folded_map = [&](std::vector<Vector3d>&& domain_points) {
+    ++attempts;
+    std::swap(domain_points[attempts], domain_points[59]);
+    const SM::Certificate c = SM::certify(SM::Sphere_atlas(), domain_points, mesh.triangles);
+    CHECK_FALSE(c.is_valid());
+    last_sentence = c.sentence();
+    return SM::Manifold_map<SM::Sphere_atlas>(mesh.points, mesh.triangles, domain_points, 60);
+  };
+  try {
+    SM::internal::certified_map<SM::Sphere_atlas, CGAL::Sequential_tag>(
+      problem, SM::parameters::default_values(),
+      [](const std::vector<int>&) { return SM::internal::Sphere_geometry(60); },
+      [](const SM::internal::Collapse_hierarchy&, const auto& geometry, const auto& number) {
+        std::vector<Vector3d> positions;
+        for (int v = 0; v < 60; ++v) positions.push_back(geometry.position(number(v)));
+        return positions;
+      },
+      folded_map);
+    FAIL("no error");
+  } catch (const SM::Numeric_error& e) {
+    CHECK(attempts == 3);
+    CHECK(e.code() == SM::Error_code::numeric_failure);
+    CHECK_THAT(e.what(), Catch::Matchers::ContainsSubstring(last_sentence));
+    CHECK(e.element().kind == SM::Mesh_element::FACE);
+  }
+}
+
+#ifndef NDEBUG
+TEST_CASE("Weights, landmarks and corners that make no sense are refused", "[map]")
+{
+  namespace parameters = SM::parameters;
+  const Mesh sphere = read("hand.off"), square = read("three_peaks.off");
+  std::vector<double> weights(num_vertices(sphere), 1.);
+  for (const double wrong : {-1., std::nan(""), HUGE_VAL}) {
+    weights[7] = wrong;
+    CHECK_THROWS_AS(
+      SM::map_to_sphere(sphere, parameters::vertex_weight_map(CGAL::make_property_map(weights))),
+      CGAL::Precondition_exception);
+  }
+  using Landmarks = std::vector<SM::Landmark<Mesh::Vertex_index, Eigen::Vector3d>>;
+  const Mesh::Vertex_index v(3);
+  for (const Landmarks& wrong : {Landmarks{{v, {1, 0, 0}, -1}}, Landmarks{{v, {1, 0, 0}, HUGE_VAL}},
+                                 Landmarks{{v, {std::nan(""), 0, 0}}}})
+    CHECK_THROWS_AS(SM::map_to_sphere(sphere, parameters::landmarks(wrong)), CGAL::Precondition_exception);
+  using Corners = std::vector<Mesh::Vertex_index>;
+  const Mesh::Vertex_index a(0), b(1870), c(1906), d(34), inside(50); // of the rectangle
+  CHECK_NOTHROW(SM::map_to_plane(square, parameters::corners(Corners{})));
+  CHECK_NOTHROW(SM::map_to_canonical_surface(square, parameters::corners(Corners{a, b, c, d})));
+  for (const Corners& wrong :
+       {Corners{a, b, c}, Corners{a, d, c, b}, Corners{a, b, c, inside}, Corners{a, a, b, c}})
+    CHECK_THROWS_AS(SM::map_to_plane(square, parameters::corners(wrong)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(SM::map_to_canonical_surface(sphere, parameters::corners(Corners{a, b, c, d})),
+                  CGAL::Precondition_exception);
+}
+#endif
+
 TEST_CASE("Domain points go into the caller's property map, of a polyhedron too", "[map]")
 {
   CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>> polyhedron;

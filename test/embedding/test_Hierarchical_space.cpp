@@ -1,6 +1,8 @@
 #include "catch.h"
 
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Chart_spline.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Normal_equations.h>
 
 #include <Eigen/Core>
 #include <Eigen/QR>
@@ -146,4 +148,32 @@ TEST_CASE("Functions that are active are linearly independent")
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(values);
   qr.setThreshold(1e-9);
   CHECK(qr.rank() == n);
+}
+
+TEST_CASE("Normal equations reproduce a polynomial, and are set up anew each time")
+{
+  std::mt19937 engine(6);
+  std::vector<internal::Chart_spline> splines = {internal::Chart_spline(3, Vector3d::Zero())};
+  const auto polynomial = [](const Vector2d& p) {
+    return Vector3d(p.x() * p.x() * p.y(), p.x() - p.y(), 1 + std::pow(p.y(), 3));
+  };
+  internal::Fit_samples samples;
+  std::vector<Vector3d> value, residual;
+  for (int k = 0; k < 500; ++k) {
+    const Vector2d uv(uniform(engine), uniform(engine));
+    samples.target.push_back(polynomial(uv));
+    samples.views.push_back({0, splines[0].tree().leaf(uv), uv, 1});
+    samples.begin.push_back(samples.views.size());
+    value.push_back(Vector3d::Zero());
+    residual.push_back(samples.target.back());
+  }
+  const std::vector<double> none(500, 0), all(500, 1);
+  internal::Normal_equations equations(splines, {0}, false);
+  equations.assemble(samples, all, none, value, residual, 0);
+  const Eigen::MatrixX3d x = equations.solve(0);
+  equations.assemble(samples, all, none, value, residual, 0);
+  CHECK(equations.solve(0) == x);
+  splines[0].add([&](int f) -> Vector3d { return x.row(f).transpose(); });
+  for (const auto& view : samples.views)
+    CHECK((splines[0].point<3>(view.cell, view.uv) - polynomial(view.uv)).norm() < 1e-10);
 }

@@ -85,6 +85,8 @@ Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
                                virtual_faces);
   } catch (const Topology_error& e) {
     throw Topology_error(e.code(), file + ": " + e.what(), e.element());
+  } catch (const Geometry_error& e) {
+    throw Geometry_error(e.code(), file + ": " + e.what(), e.element());
   } catch (const Numeric_error& e) {
     throw Numeric_error(e.code(), file + ": " + e.what(), e.element());
   }

@@ -205,7 +205,7 @@ private:
   }
 
   // After many rounds nothing waits any more: then each of them adds many controls, and there are few left.
-  double bulk() { return ++rounds_ <= 40 ? internal::bulk : 0; }
+  double bulk() { return ++rounds_ <= 40 ? internal::usual_bulk : 0; }
 
   void sample(Fit& fit)
   {

@@ -85,7 +85,8 @@ std::vector<Indexed_landmark<Point>> landmarks_of(const FaceListGraph& mesh, con
 }
 
 // Embeds the surface and certifies the result. read(mesh, geometry, number) takes what make_map() needs from the
-// embedding. As no uncertified map can be built, make_map() throws when the embedding is wrong.
+// embedding. As no uncertified map can be built, make_map() throws when the embedding is wrong; what its last
+// certificate said is handed on.
 template <class Atlas, class ConcurrencyTag, class Point, class NamedParameters, class Make_geometry,
           class Read, class Make_map>
 Manifold_map<Atlas> certified_map(const Layout_problem<Point>& problem, const NamedParameters& np,
@@ -98,22 +99,27 @@ Manifold_map<Atlas> certified_map(const Layout_problem<Point>& problem, const Na
   auto& visitor = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
 
   std::optional<Manifold_map<Atlas>> result;
+  std::string fault; // of the last attempt
+  Mesh_element element;
   const bool done = lay_out<ConcurrencyTag>(
     problem, map_options(np), make_geometry, read,
     [&](auto placed) {
       visitor.start_phase("certify");
       try {
         result.emplace(make_map(std::move(placed)));
-      } catch (const Numeric_error&) {
-        // Begin anew with a better conditioned energy, if there is one left.
+      } catch (const Numeric_error& e) { // begin anew with a better conditioned energy, if there is one left
+        fault = std::string("; the last attempt: ") + e.what();
+        element = e.element();
       }
       visitor.end_phase();
       return result.has_value();
     },
     visitor);
   if (!done)
-    throw Numeric_error(Error_code::numeric_failure, "no embedding in double precision was found for the " +
-                                                       std::to_string(problem.triangles.size()) + " faces");
+    throw Numeric_error(Error_code::numeric_failure,
+                        "no embedding in double precision was found for the " +
+                          std::to_string(problem.triangles.size()) + " faces" + fault,
+                        element);
   return std::move(*result);
 }
 

@@ -35,7 +35,7 @@ struct Mark {
 
 /// Only errors that are at least this part of the largest one are reasons to split a cell: what that
 /// does to the others is seen before they are, and fewer controls are needed in the end.
-inline constexpr double bulk = 0.6;
+inline constexpr double usual_bulk = 0.6;
 
 /// The splines of all charts and the samples that they are fitted to: what one round of a fit does with
 /// them. Nothing here knows the atlas.
@@ -70,7 +70,7 @@ public:
 
   const Fit_report::Bytes& bytes() const { return bytes_; }
 
-  /// Appends samples: the vertices first, then those of `cells_without_samples()`.
+  /// Appends samples: the vertices first, then those of `new_leaves()`.
   void add(const Fit_samples& samples)
   {
     samples_.append(samples);

@@ -48,25 +48,28 @@ public:
   /// \param charts  the charts that are solved for, increasing; the others keep their splines
   /// \param is_parallel  whether several threads may work
   Normal_equations(const std::vector<Chart_spline>& splines, const std::vector<int>& charts, bool is_parallel)
-    : splines_(splines), charts_(charts), is_parallel_(is_parallel), offset_(splines.size(), -1),
-      columns_(splines.size())
+    : splines_(splines), charts_(charts), is_parallel_(is_parallel), offset_(splines.size(), -1)
   {
     for (const int c : charts) {
       offset_[c] = size_;
       size_ += splines[c].size();
     }
-    right_side_ = Eigen::MatrixX3d::Zero(size_, 3);
   }
 
-  /// Adds the samples' share: joint_weight |E - M|^2 per sample, and own_weight |E_c - M|^2 per view.
+  /// Sets up the system that minimises joint_weight |E - M|^2, summed over the samples, own_weight |E_c - M|^2,
+  /// summed over their views, and the thin plate energy of each chart.
   /// \param joint_weight  per sample
   /// \param own_weight    per view
   /// \param value         per view: E_c
   /// \param residual      per sample: M - E
+  /// \param fairness      weight of the thin plate energy
   void assemble(const Fit_samples& samples, const std::vector<double>& joint_weight,
                 const std::vector<double>& own_weight, const std::vector<Eigen::Vector3d>& value,
                 const std::vector<Eigen::Vector3d>& residual, double fairness)
   {
+    right_side_ = Eigen::MatrixX3d::Zero(size_, 3);
+    columns_.assign(splines_.size(), {});
+    column_bytes_ = 0;
     with_fit_degree(splines_[charts_[0]].space().degree(), [&](auto d) {
       constexpr int D = decltype(d)::value;
       for (const int b : charts_) {
