@@ -149,8 +149,9 @@ inline std::pair<double, double> singular_values(const Eigen::Matrix2d& m)
   const double determinant = std::abs(m.determinant());
   const double p = std::hypot(m(0, 0) + m(1, 1), m(0, 1) - m(1, 0));
   const double q = std::hypot(m(0, 0) - m(1, 1), m(0, 1) + m(1, 0));
-  const double large = (p + q) / 2, small = std::abs(p - q) / 2;
-  return {large, large > 0 ? (std::min)(small, determinant / large) : small}; // the quotient is more precise
+  const double large = (p + q) / 2, little = std::abs(p - q) / 2;
+  return {large,
+          large > 0 ? (std::min)(little, determinant / large) : little}; // the quotient is more precise
 }
 
 // The least value whose cumulated weight reaches the share q of all the weight.

@@ -59,7 +59,7 @@ public:
     const auto& face = map_->face(location.face);
     Eigen::Matrix3d q, x;
     for (int k = 0; k < 3; ++k) {
-      q.col(k) = homogeneous(near(p.value, map_->domain_point(face[k])), 1);
+      q.col(k) = homogeneous(nearest_copy(p.value, map_->domain_point(face[k])), 1);
       x.col(k) = map_->point(face[k]);
     }
     const Eigen::Matrix3d inverse = q.inverse(), numerator = x * inverse;
@@ -78,7 +78,7 @@ private:
   using Domain_point = typename Atlas::Domain_point;
 
   // the copy of q nearest to p, where the domain is periodic
-  static Domain_point near(const Domain_point& p, const Domain_point& q)
+  static Domain_point nearest_copy(const Domain_point& p, const Domain_point& q)
   {
     if constexpr (Atlas::genus == 1)
       return Atlas::lift(p, q);

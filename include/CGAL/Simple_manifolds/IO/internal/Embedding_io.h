@@ -199,7 +199,7 @@ struct Embedding_io<Hierarchical_embedding> {
         list[i]["controls"].fail(std::to_string(cells) + " cells per side are not the " +
                                  std::to_string(base) + " of the coarsest patch times a power of 2; " +
                                  advice);
-      active.resize(std::max(active.size(), level + 1));
+      active.resize((std::max)(active.size(), level + 1));
       for (std::size_t k = 0; k < p.coefficients.size(); ++k) {
         const int index = p.has_indices ? p.indices[k] : int(k);
         const auto [at, is_new] = active[level].emplace(index, p.coefficients[k]);

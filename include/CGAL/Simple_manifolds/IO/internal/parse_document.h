@@ -152,7 +152,7 @@ public:
     if (is_cbor_)
       throw IO_error(Error_code::syntax_error, file_, "no valid CBOR, byte " + std::to_string(byte));
     if (e.id >= 400) fail("a number is out of range");
-    const auto end = bytes_.begin() + std::ptrdiff_t(std::min(byte, bytes_.size()));
+    const auto end = bytes_.begin() + std::ptrdiff_t((std::min)(byte, bytes_.size()));
     throw IO_error(Error_code::syntax_error, file_, "no valid JSON",
                    1 + std::size_t(std::count(bytes_.begin(), end, '\n')));
   }

@@ -90,7 +90,7 @@ private:
     for (int target = most_vertices;; target *= 2) {
       try {
         ++report_.attempts;
-        attempt(std::min(n, target));
+        attempt((std::min)(n, target));
         break;
       } catch (const Partition_error&) {
         if (target < n) continue;

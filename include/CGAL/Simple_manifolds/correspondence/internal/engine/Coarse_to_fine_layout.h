@@ -91,8 +91,9 @@ private:
     if (level == mesh_.number_of_levels() && options_.effort != Effort::QUALITY)
       return static_cast<int>(8 * factor);
     const double extra = options_.effort == Effort::QUALITY ? 1e5 * (std::min)(N, 5000.) / 5000 / n : 0;
-    return static_cast<int>(std::max({(std::min)(100., 4 * factor * std::sqrt(N / n)),
-                                      (std::min)(100., extra), level == mesh_.number_of_levels() ? 8. : 0.}));
+    return static_cast<int>(
+      (std::max)({(std::min)(100., 4 * factor * std::sqrt(N / n)), (std::min)(100., extra),
+                  level == mesh_.number_of_levels() ? 8. : 0.}));
   }
   static double work(int sweeps, double n) { return (2 + sweeps) * n; }
   double total_work() const

@@ -35,7 +35,7 @@ inline std::array<float, 3> quarter_cotangents(const Eigen::Vector3d& a, const E
   const double mean = (l[0] + l[1] + l[2]) / 3;
   for (double& x : l) x = mean > 1e-200 ? x / mean + floor : 1;
   const double sum = l[0] + l[1] + l[2];
-  const double area_4 = std::sqrt(std::max(
+  const double area_4 = std::sqrt((std::max)(
     2 * (l[0] * l[1] + l[1] * l[2] + l[2] * l[0]) - (l[0] * l[0] + l[1] * l[1] + l[2] * l[2]), 1e-30));
   const auto quarter_cot = [&](double opposite) {
     return static_cast<float>((sum - 2 * opposite) / (4 * area_4));
@@ -96,7 +96,7 @@ struct Quadratic_model {
   {
     // Eigenvalues of H relative to the metric: roots of x^2 - 2 b x + det H.
     const double b = (h00 * m11 + h11 * m00) / 2 - h01 * m01;
-    const double root = std::sqrt(std::max(0., b * b - (h00 * h11 - h01 * h01)));
+    const double root = std::sqrt((std::max)(0., b * b - (h00 * h11 - h01 * h01)));
     const double largest = (std::max)(std::abs(b + root), std::abs(b - root));
     const double shift = b - root > 1e-6 * largest ? 0 : 1e-3 * largest - (b - root);
     const double a00 = h00 + shift * m00, a01 = h01 + shift * m01, a11 = h11 + shift * m11;

@@ -38,7 +38,7 @@ inline std::vector<int> morton_order(const std::vector<Eigen::Vector3d>& points)
   for (std::size_t v = 0; v < points.size(); ++v) {
     std::uint64_t key = 0;
     for (int k = 0; k < 3; ++k)
-      key |= spread(static_cast<std::uint64_t>(std::min(std::max(points[v][k], 0.), 1.) * 2097151)) << k;
+      key |= spread(static_cast<std::uint64_t>((std::min)((std::max)(points[v][k], 0.), 1.) * 2097151)) << k;
     keys[v] = {key, static_cast<int>(v)};
   }
   std::sort(keys.begin(), keys.end());

@@ -161,10 +161,10 @@ private:
 
   int violations_near(int v)
   {
-    std::vector<int> near;
-    mesh_.ring(v, near);
+    std::vector<int> ring;
+    mesh_.ring(v, ring);
     int sum = violation(v);
-    for (int w : near) sum += violation(w);
+    for (int w : ring) sum += violation(w);
     return sum;
   }
 

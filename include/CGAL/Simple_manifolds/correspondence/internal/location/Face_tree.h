@@ -190,7 +190,7 @@ private:
   // Whether the sum of the l_i may be large: in no face with all edges below acos(-0.45) = 117 degrees.
   static bool is_long(const Corners& c)
   {
-    if (std::min(c[0].dot(c[1]), (std::min)(c[1].dot(c[2]), c[2].dot(c[0]))) > -0.45) return false;
+    if ((std::min)(c[0].dot(c[1]), (std::min)(c[1].dot(c[2]), c[2].dot(c[0]))) > -0.45) return false;
     const Eigen::Vector3d normal = (c[1] - c[0]).cross(c[2] - c[0]);
     return !(c[0].dot(normal) > 2e-3 * normal.norm());
   }
@@ -248,7 +248,7 @@ private:
         positive += side.second;
       }
       const int cost = negative * negative + positive * positive;
-      if (std::max(negative, positive) < n && (least < 0 || cost < least)) {
+      if ((std::max)(negative, positive) < n && (least < 0 || cost < least)) {
         least = cost;
         best = normal;
       }

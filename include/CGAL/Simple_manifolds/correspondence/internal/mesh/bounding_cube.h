@@ -41,7 +41,7 @@ inline Bounding_cube bounding_cube(const std::vector<Eigen::Vector3d>& points)
 inline double unit_scale(const std::vector<Eigen::Vector3d>& points)
 {
   const double extent = bounding_cube(points).half_side;
-  return extent > 0 ? std::ldexp(1., (std::min)(std::max(-std::ilogb(extent), -1000), 1000)) : 1.;
+  return extent > 0 ? std::ldexp(1., (std::min)((std::max)(-std::ilogb(extent), -1000), 1000)) : 1.;
 }
 
 // The points in the unit cube: the cost of a collapse and the areas need no more, and coordinates of any

@@ -80,7 +80,7 @@ public:
 private:
   static std::uint64_t key(int v, int w)
   {
-    return static_cast<std::uint64_t>(std::min(v, w)) << 32 | static_cast<std::uint32_t>(std::max(v, w));
+    return static_cast<std::uint64_t>((std::min)(v, w)) << 32 | static_cast<std::uint32_t>((std::max)(v, w));
   }
   int corners(int f) const { return soup_.last(f) - soup_.first(f) + 1; }
 

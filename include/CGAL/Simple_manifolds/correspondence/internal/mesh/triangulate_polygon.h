@@ -89,7 +89,7 @@ std::vector<Triangle> triangulate_polygon(const std::vector<Eigen::Vector3d>& co
   for (int i = 0; i < n; ++i) normal += (corner[i] - corner[0]).cross(corner[(i + 1) % n] - corner[0]);
 
   using Cost = std::pair<int, double>; // triangles turned away, sum of the shapes
-  const Cost infinite(std::numeric_limits<int>::max(), 0.);
+  const Cost infinite((std::numeric_limits<int>::max)(), 0.);
   const auto triangle_cost = [&](int i, int k, int j) {
     const Eigen::Vector3d a = corner[k] - corner[i], b = corner[j] - corner[i];
     const Eigen::Vector3d cross = a.cross(b);
