@@ -57,6 +57,26 @@ if(PART STREQUAL good_input)
     message(SEND_ERROR "samples.csv has ${count} lines instead of 11")
   endif()
 
+  # What a person reads: a dozen lines with units, none of them long, and a row per chart.
+  execute_process(COMMAND ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/new/sphere --tolerance 0.05 --samples 10
+    OUTPUT_VARIABLE out)
+  foreach(line "closed, genus 0\n" " faces flipped, degree 1\n" "rms error +[0-9.e-]+ % of the diagonal [(]tolerance 5 %[)]\n"
+      "normals +[0-9.]+ degrees" "time +[0-9.]+ s to map and fit, [0-9.]+ s in all\n" "memory +[0-9.]+ MB"
+      "chart +vertices +controls +levels +rms error +largest\n" "\n +5 +[0-9]+ +[0-9]+ +[0-9]+ +[0-9.e-]+ % +[0-9.e-]+ %\n$")
+    if(NOT out MATCHES "${line}")
+      message(SEND_ERROR "fit_mesh does not say \"${line}\":\n${out}")
+    endif()
+  endforeach()
+  string(REPLACE "\n" ";" lines "${out}")
+  list(LENGTH lines count)
+  list(POP_FRONT lines file) # its name may be long
+  foreach(line ${lines})
+    string(LENGTH "${line}" length)
+    if(count GREATER 20 OR length GREATER 100)
+      message(SEND_ERROR "fit_mesh says ${count} lines, one with ${length} characters: ${line}")
+    endif()
+  endforeach()
+
   # The paper's map and patches together, and each with the other's partner.
   run(0 "" ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/new/paper --method paper --tolerance 0.01 --samples 10 --quiet)
   run(0 "" ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/new/patches --surface patches --tolerance 0.01 --quiet)

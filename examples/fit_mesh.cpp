@@ -202,15 +202,14 @@ int write(Job& job, const Map& map, const Surface& surface, const SM::Fit_report
       write_page(job.folder.file("report.html"), completed(metrics, "fit_mesh", job.watch), map, surface,
                  report);
     });
-  write_metrics(job.folder.file("metrics.json"), completed(std::move(metrics), "fit_mesh", job.watch));
+  metrics = completed(std::move(metrics), "fit_mesh", job.watch);
+  write_metrics(job.folder.file("metrics.json"), metrics);
   throw_if_interrupted();
   job.folder.commit();
 
   if (!has_report && !is_quiet)
     std::cerr << "fit_mesh: no report.html: zlib or three.js was missing when fit_mesh was built\n";
-  if (!is_quiet)
-    std::cout << summary(job.input, map) << "; " << errors << "; " << shown(job.watch.total()) << " s"
-              << std::endl;
+  if (!is_quiet) std::cout << Figures(metrics).text() << std::flush;
   if (has_reached) return SUCCESS;
   std::cerr << "fit_mesh: the tolerance was not reached: " << errors << "; the files are written\n";
   return TOLERANCE_NOT_REACHED;

@@ -132,13 +132,11 @@ int main(int argc, char** argv)
           watch.time("report",
                      [&] { write_page(file("report"), completed(metrics, "map_mesh", watch), map); });
         watch.time("write", [&] { SM::write_map(file("output"), map); });
-        if (options.has("metrics")) write_metrics(file("metrics"), completed(metrics, "map_mesh", watch));
+        metrics = completed(std::move(metrics), "map_mesh", watch);
+        if (options.has("metrics")) write_metrics(file("metrics"), metrics);
         throw_if_interrupted();
         files.commit();
-        if (!is_quiet)
-          std::cout << summary(input, map) << "; angle " << shown(metrics["map"]["angle"]) << ", area "
-                    << shown(metrics["map"]["area"]) << "; " << shown(watch.total()) << " s\n"
-                    << map.certificate().sentence() << '\n';
+        if (!is_quiet) std::cout << Figures(metrics).text() << std::flush;
         return SUCCESS;
       },
       any_map);

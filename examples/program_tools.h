@@ -4,6 +4,7 @@
 #define SIMPLE_MANIFOLDS_EXAMPLES_PROGRAM_TOOLS_H
 
 #include "Command_line.h"
+#include "figures.h"
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
@@ -47,7 +48,6 @@ namespace tools {
 
 namespace SM = CGAL::Simple_manifolds;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Json = nlohmann::ordered_json;
 
 enum Status {
   SUCCESS = 0,
@@ -335,35 +335,18 @@ constexpr bool has_report = true;
 constexpr bool has_report = false;
 #endif
 
-/// Writes the report of a map, or of a surface too: `surface_and_fit_report`. Nothing without `has_report`.
+/// Writes the report of a map, or of a surface too: `surface_and_fit_report`. Nothing without `has_report`. It shows
+/// the metrics without those that change while it is written.
 template <class Map, class... Surface_and_fit_report>
-void write_page([[maybe_unused]] const std::string& file, [[maybe_unused]] const Json& metrics,
+void write_page([[maybe_unused]] const std::string& file, [[maybe_unused]] Json metrics,
                 [[maybe_unused]] const Map& map,
                 [[maybe_unused]] const Surface_and_fit_report&... surface_and_fit_report)
 {
 #ifdef SIMPLE_MANIFOLDS_HAS_REPORT
+  metrics["seconds"].erase("total");
+  metrics.erase("peak_memory_bytes");
   SM::write_report(file, map, surface_and_fit_report..., metrics, simple_manifolds_report_page);
 #endif
-}
-
-/// E.g. "0.00123".
-inline std::string shown(double x)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
-}
-
-/// The same of a figure of the metrics, which may be none.
-inline std::string shown(const Json& x) { return x.is_number() ? shown(x.get<double>()) : "infinite"; }
-
-/// "hand.off: sphere, 1197 vertices, 2390 faces", for the line that says what was done.
-template <class Map>
-std::string summary(const Input& input, const Map& map)
-{
-  return input.file + ": " + Map::Atlas::name + ", " + std::to_string(map.number_of_vertices()) +
-         " vertices, " + std::to_string(map.number_of_faces()) + " faces" +
-         (map.is_inward_oriented() ? ", inward oriented" : "");
 }
 
 } // namespace tools

@@ -29,21 +29,10 @@ const ramps = {
     'b40426',
   ],
 };
-const chart_colours = [
-  '5b8dd9',
-  'f2b84b',
-  'e8745f',
-  '63b598',
-  '9d7fd1',
-  'e594b5',
-  '84c3e0',
-  'a98c6a',
-  '8a94a6',
-];
-const no_value = '9aa0a8'; // of a face without a chart, or a value that is not finite
+const no_value = '9aa0a8'; // of a value that is not finite
 const plain = 'c3c9d4';
 
-const rgb = hex => [0, 2, 4].map(i => parseInt(hex.slice(i, i + 2), 16) / 255);
+const rgb = hex => [0, 2, 4].map(i => parseInt(hex.replace('#', '').slice(i, i + 2), 16) / 255);
 const gradient = ramp => `linear-gradient(to right, ${ramps[ramp].map(c => '#' + c).join(', ')})`;
 
 // A ramp at n equally spaced places, as bytes with alpha.
@@ -68,7 +57,8 @@ function short(x) {
     ? x.toExponential(2).replace('e+', 'e').replace('-', '−').replace('e-', 'e−')
     : String(Number(x.toPrecision(3))).replace('-', '−');
 }
-const percent = x => short(100 * x) + ' %';
+const percent = x => short(100 * x) + '\u00a0%'; // with a space that is not broken
+const of_diagonal = x => percent(x) + ' of the diagonal';
 
 // The fields in the order of their switches. Those with a ramp are arrays of the meshes, per face or vertex.
 const fields = [
@@ -96,7 +86,7 @@ const fields = [
     ramp: 'diverging',
     is_per_face: true,
     text: 'Area in the domain over area of the mesh, as shares of the whole; 1 keeps areas',
-    show: x => short(10 ** x) + ' ×',
+    show: x => short(10 ** x) + '\u00a0×',
   },
   {
     name: 'error',
@@ -104,7 +94,7 @@ const fields = [
     mode: 3,
     ramp: 'sequential',
     least: 0,
-    text: 'Distance of surface and mesh at the same domain point, share of the diagonal',
+    text: 'Distance of surface and mesh at the same domain point, in percent of the diagonal',
     show: percent,
   },
   {

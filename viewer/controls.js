@@ -8,9 +8,9 @@ function add_controls(view, { on_point, on_leave }) {
       spread = 0,
       has_moved = false;
 
-    const domain_point = event => {
+    const point_at = event => {
       const r = element.getBoundingClientRect();
-      return panel.domain_point_at(
+      return panel.chart_point_at(
         (2 * (event.clientX - r.left)) / r.width - 1,
         1 - (2 * (event.clientY - r.top)) / r.height
       );
@@ -30,7 +30,7 @@ function add_controls(view, { on_point, on_leave }) {
     element.addEventListener('pointermove', event => {
       const before = pointers.get(event.pointerId);
       if (!before) {
-        if (event.pointerType === 'mouse') on_point(panel, domain_point(event), event);
+        if (event.pointerType === 'mouse') on_point(panel, point_at(event), event);
         return;
       }
       pointers.set(event.pointerId, event);
@@ -46,7 +46,7 @@ function add_controls(view, { on_point, on_leave }) {
     });
     const end = event => {
       if (!pointers.delete(event.pointerId)) return;
-      if (event.type === 'pointerup' && !has_moved) on_point(panel, domain_point(event), event);
+      if (event.type === 'pointerup' && !has_moved) on_point(panel, point_at(event), event);
     };
     element.addEventListener('pointerup', end);
     element.addEventListener('pointercancel', end);
@@ -54,7 +54,7 @@ function add_controls(view, { on_point, on_leave }) {
       is_armed = false;
       if (event.pointerType === 'mouse') on_leave();
     });
-    element.addEventListener('dblclick', event => view.centre_on(domain_point(event)));
+    element.addEventListener('dblclick', event => view.centre_on(point_at(event)));
     element.addEventListener(
       'wheel',
       event => {
@@ -79,7 +79,7 @@ function add_controls(view, { on_point, on_leave }) {
       Escape: on_leave,
       Enter: () => {
         const r = element.getBoundingClientRect();
-        on_point(panel, panel.domain_point_at(0, 0), {
+        on_point(panel, panel.chart_point_at(0, 0), {
           clientX: r.left + r.width / 2,
           clientY: r.top + r.height / 2,
         });

@@ -1,7 +1,7 @@
 // The data of the page: the JSON element "info", and the arrays that Report_arrays.h of IO/internal/report
 // writes.
 
-const array_types = { f32: Float32Array, i16: Int16Array, i8: Int8Array, index: Uint32Array };
+const array_types = { f32: Float32Array, i16: Int16Array, index: Uint32Array };
 
 async function inflate(text) {
   const bytes = Uint8Array.from(atob(text), c => c.charCodeAt(0));
@@ -26,7 +26,16 @@ function unpack(bytes, { type, components, size, first }) {
   return items;
 }
 
-// {info, mesh, surface, net}: the last two only if there is a surface.
+// {info, mesh, surface, net}: the last two only if there is a surface. Mesh and surface are triangles that lie in one
+// tile each, with these arrays; of the surface each triangle is a face:
+//
+//   points, charts, coordinates   per vertex: in space, and its chart point
+//   normals                       per vertex, of the surface
+//   shape0, shape0_normals, ...   per vertex: on the canonical surface, in each of its shapes (the mesh)
+//   triangles                     three vertices each
+//   faces, edges                  per triangle: the face that it is a part of, and which sides are (the mesh)
+//   angle, area                   per face
+//   error, mean, gauss            per vertex, if there is a surface
 async function read_data() {
   const info = JSON.parse(document.getElementById('info').textContent);
   const bytes = await inflate(document.getElementById('arrays').textContent);

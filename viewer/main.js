@@ -7,19 +7,17 @@ const element = (tag, attributes = {}, ...children) => {
   return e;
 };
 const by_id = id => document.getElementById(id);
-const count = x => x.toLocaleString('en').replace(/,/g, ' ');
+const count = x => x.toLocaleString('en').replace(/,/g, '\u202f'); // a space that is not broken
+const seconds = x => (x < 0.001 ? '<\u00a00.001' : short(x)) + '\u00a0s';
 
 // ---- Head -------------------------------------------------------------------------------------------
 
-const kinds = {
-  sphere: 'A closed mesh of genus 0, mapped one to one onto the unit sphere',
-  torus: 'A closed mesh of genus 1, mapped one to one onto the flat torus',
-  plane: 'A disk, mapped one to one onto the unit square',
-};
+const kind = ({ is_closed, genus, shapes }) =>
+  `${is_closed ? `A closed mesh of genus ${genus}` : 'A disk'}, mapped one to one onto the ${shapes[0].title}`;
 
 function show_head({ info }) {
   const { figures = {} } = info,
-    { input = {}, map = {}, surface } = figures;
+    { input = {}, map = {}, surface, seconds: times = {} } = figures;
   const name = String(input.file || 'Mesh')
     .split(/[\\/]/)
     .pop();
@@ -29,15 +27,15 @@ function show_head({ info }) {
     surface && surface.smoothness > 0
       ? ` and the C${['⁰', '¹', '²', '³', '⁴'][surface.smoothness]} surface` + ' fitted to it'
       : '';
-  by_id('summary').textContent = `${kinds[info.atlas]}${smooth ? ',' + smooth : ''}.`;
+  by_id('summary').textContent = `${kind(info.atlas)}${smooth ? ',' + smooth : ''}.`;
   const rows = [
     [input.faces, 'faces', count],
     [map.flipped, 'flipped in the domain', count],
     [map.angle, 'angle distortion', short],
     [surface && surface.controls, 'controls', count],
-    [surface && surface.rms_error, 'rms error', percent],
-    [surface && surface.max_error, 'largest error', percent],
-    [figures.seconds && figures.seconds.total, 'in all', x => short(x) + ' s'],
+    [surface && surface.rms_error, 'rms error, of the diagonal', percent],
+    [surface && surface.max_error, 'largest error, of the diagonal', percent],
+    surface ? [times.map + times.fit, 'to map and fit', seconds] : [times.map, 'to map', seconds],
   ];
   for (const [value, label, show] of rows)
     if (typeof value === 'number')
@@ -62,15 +60,19 @@ function show_head({ info }) {
 
 // ---- Panels -----------------------------------------------------------------------------------------
 
-function make_view(data, atlas) {
+const with_capital = text => text[0].toUpperCase() + text.slice(1);
+
+function make_view(data) {
   const container = by_id('panels'),
     view = new View(container, container.querySelector('canvas'));
-  const add = (title, corners, shape, text) => {
+  const { mesh, surface, net, info } = data,
+    { atlas } = info;
+  const add = (title, text, triangles, k) => {
     const label = element('h3', {}, title, element('small', {}, text));
     const box = element(
       'div',
       {
-        class: shape ? 'panel domain' : 'panel',
+        class: k === undefined ? 'panel' : 'panel domain',
         tabindex: 0,
         role: 'group',
         'aria-roledescription': '3D view',
@@ -79,31 +81,21 @@ function make_view(data, atlas) {
       label
     );
     container.append(box);
-    return view.add(box, corners, atlas, shape);
+    return view.add(box, triangles, atlas, k);
   };
-  const { mesh, surface, info } = data;
-  view.face_the_viewer(mesh, info.atlas !== 'plane');
-  add(
-    'Mesh',
-    space_corners(mesh),
-    null,
-    `${count(info.faces)} faces` + (info.faces_of_map > info.faces ? ' (simplified)' : '')
-  );
-  for (const shape of Object.values(atlas.shapes))
+  view.face_the_viewer(mesh, atlas.is_closed);
+  add('Mesh', `${count(info.faces)} faces` + (info.faces_of_map > info.faces ? ' (simplified)' : ''), mesh);
+  atlas.shapes.forEach((shape, k) =>
     add(
-      shape.title,
-      domain_corners(mesh, atlas, shape),
-      shape,
-      shape.is_flat ? 'the same faces, face on' : 'the same faces'
-    );
+      with_capital(shape.title),
+      shape.is_flat ? 'the same faces, face on' : 'the same faces',
+      mesh,
+      k
+    )
+  );
   if (surface) {
-    const panel = add(
-      'Surface',
-      space_corners(surface),
-      null,
-      `${count(surface.faces.length / 3)} triangles drawn`
-    );
-    if (data.net.points.length > 0) panel.add_net(data.net);
+    const panel = add('Surface', `${count(surface.triangles.length / 3)} triangles drawn`, surface);
+    if (net.points.length > 0) panel.add_net(net, atlas);
   }
   container.dataset.count = view.panels.length;
   return view;
@@ -114,22 +106,17 @@ function make_view(data, atlas) {
 // Curvatures come in units of the diagonal.
 const in_units = (field, info) => field.show || (x => short(x / info.diagonal ** field.power));
 
-function legend(field, range, { info, mesh }) {
+function legend(field, range, { info }) {
   const box = by_id('legend'),
     text = element('p', {}, field.text || '');
   box.replaceChildren();
   if (field.mode === 1) {
     const list = element('ul');
-    for (let c = 0; c < info.charts; ++c)
-      list.append(
-        element('li', {}, element('i', { style: `background: #${chart_colours[c]}` }), `chart ${c}`)
-      );
-    if (mesh.charts.includes(-1))
-      list.append(
-        element('li', {}, element('i', { style: `background: #${no_value}` }), 'face in no single chart')
-      );
+    info.atlas.charts.forEach(({ colour }, c) =>
+      list.append(element('li', {}, element('i', { style: `background: ${colour}` }), `chart ${c}`))
+    );
     box.append(list);
-    box.setAttribute('aria-label', `Colours of ${info.charts} charts`);
+    box.setAttribute('aria-label', `Colours of ${info.atlas.charts.length} charts`);
     return;
   }
   if (field.ramp) {
@@ -219,7 +206,7 @@ function make_switches(view, data) {
 
 // ---- Values at a point ------------------------------------------------------------------------------
 
-function make_inspector(view, data, atlas) {
+function make_inspector(view, data) {
   const tip = by_id('tip'),
     container = by_id('panels'),
     { mesh, info } = data;
@@ -227,35 +214,25 @@ function make_inspector(view, data, atlas) {
     tip.hidden = true;
     view.mark(null);
   };
-  const on_point = (panel, p, event) => {
-    const at = p && locate(mesh, atlas, p);
+  const on_point = (panel, q, event) => {
+    const at = q && locate(mesh, q);
     if (!at) return on_leave();
-    view.mark(p);
-    const chart = mesh.charts[at.face];
-    const rows = [[info.faces_of_map > info.faces ? 'face (simplified)' : 'face', count(at.face)]];
-    if (chart >= 0)
-      rows.push([
-        'chart',
-        `${chart} at (${atlas
-          .coordinates(chart, p)
-          .map(x => x.toFixed(3))
-          .join(', ')})`,
-      ]);
-    rows.push([
-      atlas.dimension === 3 ? 'on the sphere' : 'in the domain',
-      `(${p.map(x => x.toFixed(3)).join(', ')})`,
-    ]);
-    rows.push([
-      'in space',
-      `(${place_of(mesh, at)
-        .map((x, k) => short(x * info.diagonal + info.centre[k]))
-        .join(', ')})`,
-    ]);
+    view.mark(q);
+    const fixed = x => x.map(y => y.toFixed(3)).join(', ');
+    const [shape] = info.atlas.shapes,
+      place = blend(mesh, mesh.shape0, 3, at),
+      in_space = blend(mesh, mesh.points, 3, at);
+    const rows = [
+      [info.faces_of_map > info.faces ? 'face (simplified)' : 'face', count(face_of(mesh, at.triangle))],
+      ['chart', `${q.chart} at (${fixed(q.uv)})`],
+      [`on the ${shape.title}`, `(${fixed(shape.is_flat ? place.slice(0, 2) : place)})`],
+      ['in space', `(${in_space.map((x, k) => short(x * info.diagonal + info.centre[k])).join(', ')})`],
+    ];
     for (const field of fields)
       if (field.ramp && mesh[field.name])
         rows.push([
           field.label.toLowerCase(),
-          in_units(field, info)(value_at(mesh, field, at.face, at.weights)),
+          in_units(field, info)(value_at(mesh, field, at)),
         ]);
     tip.replaceChildren(
       ...rows.flatMap(([name, value]) => [element('b', {}, name), element('span', {}, value)])
@@ -278,17 +255,24 @@ function show_plots({ info, mesh }) {
     list = [];
   for (const field of fields.filter(f => f.is_per_face))
     list.push(histogram(field, mesh[field.name], areas, range_of(field, mesh[field.name], areas)));
-  if (info.fit) list.unshift(errors_per_chart(info.fit), convergence(info.fit));
+  if (info.fit) list.unshift(errors_per_chart(info.fit, info.atlas), convergence(info.fit));
   by_id('plots').append(...list.filter(Boolean));
 }
+
+// What numbers are, by words in their names.
+const meanings = [
+  [/seconds/, seconds],
+  [/bytes/, x => short(x / 1e6) + '\u00a0MB'],
+  [/normal deviation/, x => short((x * 180) / Math.PI) + '°'],
+  [/error|closest point|tolerance|disagreement/, of_diagonal],
+];
 
 function text_of(value, label) {
   if (value === null) return '–';
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
   if (typeof value !== 'number') return String(value);
-  if (/\bbytes\b/.test(label)) return short(value / 2 ** 20) + ' MiB';
-  if (/\bseconds\b/.test(label)) return short(value) + ' s';
-  return Number.isInteger(value) ? count(value) : short(value);
+  const meaning = meanings.find(([words]) => words.test(label));
+  return meaning ? meaning[1](value) : Number.isInteger(value) ? count(value) : short(value);
 }
 
 // Names and values of a group, with those of the groups in it; lists of numbers in one row, others left out.
@@ -312,7 +296,7 @@ function show_figures({ info }) {
         'tr',
         {},
         element('th', { scope: 'row' }, label.slice(name.length + 1).replace(/ bytes$/, '')),
-        element('td', {}, value)
+        element('td', /[\/\\]/.test(value) ? { class: 'path' } : {}, value)
       )
     );
     if (rows.length > 0)
@@ -328,14 +312,13 @@ function show_figures({ info }) {
 }
 
 async function start() {
-  const data = await read_data(),
-    atlas = atlases[data.info.atlas];
+  const data = await read_data();
   show_head(data);
   show_plots(data);
   show_figures(data);
-  const view = make_view(data, atlas);
+  const view = make_view(data);
   make_switches(view, data);
-  add_controls(view, make_inspector(view, data, atlas));
+  add_controls(view, make_inspector(view, data));
   view.draw();
   return view;
 }

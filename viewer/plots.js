@@ -21,19 +21,10 @@ function axis(low, high, from, to, is_logarithmic) {
     b = f(high);
   const at = x => from + ((f(x) - a) / (b - a)) * (to - from);
   const ticks = [];
-  if (is_logarithmic) {
-    const decades = b - a;
+  if (is_logarithmic && b - a > 0.7) {
+    const factors = b - a > 2.5 ? [1] : b - a > 1.2 ? [1, 3] : [1, 2, 5];
     for (let d = Math.floor(a); d <= b; ++d)
-      for (const m of decades > 2.5
-        ? [1]
-        : decades > 1.2
-          ? [1, 3]
-          : decades > 0.7
-            ? [1, 2, 5]
-            : [1, 1.2, 1.5, 2, 3, 5, 7, 8.5]) {
-        const x = m * 10 ** d;
-        if (x >= low * 0.999 && x <= high * 1.001) ticks.push(x);
-      }
+      for (const x of factors.map(m => m * 10 ** d)) if (x >= low * 0.999 && x <= high * 1.001) ticks.push(x);
   } else {
     const rough = (high - low) / 5,
       power = 10 ** Math.floor(Math.log10(rough));
@@ -173,7 +164,7 @@ function error_axis(errors, fit) {
     : null;
 }
 
-function errors_per_chart(fit) {
+function errors_per_chart(fit, atlas) {
   const y = error_axis(
     fit.charts.flatMap(c => [c.rms, c.max]),
     fit
@@ -183,7 +174,7 @@ function errors_per_chart(fit) {
   const step = (plot_width - plot_right - plot_left) / fit.charts.length;
   fit.charts.forEach((c, k) => {
     const x = plot_left + (k + 0.5) * step,
-      colour = '#' + chart_colours[k];
+      { colour } = atlas.charts[k];
     plot.append(svg('text', { x, y: plot_height - plot_bottom + 17, 'text-anchor': 'middle' }, k));
     if (!(c.rms > 0)) return;
     const title = svg(
@@ -206,7 +197,7 @@ function errors_per_chart(fit) {
   return figure(
     'Errors per chart',
     plot,
-    'root mean square (dot) and largest (bar), shares of the diagonal.'
+    'root mean square (dot) and largest (bar), of the diagonal, logarithmic.'
   );
 }
 
@@ -221,8 +212,7 @@ function convergence(fit) {
     low = Math.min(...controls),
     high = Math.max(...controls);
   const x = x_axis(low / 1.15, high * 1.15, true);
-  const plot = frame('Error over controls', x, y, 'controls', t => t.toLocaleString('en'), percent);
-  tolerance_lines(plot, y, fit);
+  const plot = frame('Error over controls', x, y, 'controls', count, percent);
   for (const kind of ['max', 'rms']) {
     const points = levels.map(l => [x.at(l.controls), y.at(l[kind])]);
     plot.append(svg('polyline', { class: 'series ' + kind, points: points.map(p => p.join()).join(' ') }));
@@ -243,5 +233,10 @@ function convergence(fit) {
       )
     );
   }
-  return figure('Refinement', plot, 'error at each step, over the number of controls.');
+  tolerance_lines(plot, y, fit);
+  return figure(
+    'Refinement',
+    plot,
+    'error at each step, of the diagonal, over the number of controls; both logarithmic.'
+  );
 }

@@ -1,34 +1,31 @@
 // The panels: one canvas with one view per panel, all turned, zoomed and centred together.
 
 const vertex_shader = `
-  attribute vec3 edge;
-  attribute float value, chart;
-  uniform vec3 palette[10];
+  attribute vec3 edge, chart_colour;
+  attribute float value;
   varying vec3 v_normal, v_edge, v_chart_colour;
-  varying vec2 v_uv, v_flat;
+  varying vec2 v_uv;
   varying float v_value;
   void main() {
     v_normal = normalMatrix * normal;
     v_edge = edge;
-    v_chart_colour = palette[int(chart + 0.5)];
+    v_chart_colour = chart_colour;
     v_uv = uv;
-    v_flat = position.xy;
     v_value = value;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   }`;
 
 const fragment_shader = `
   uniform int mode; // as in fields
-  uniform bool has_copies, is_flat;
+  uniform bool is_flat;
   uniform float wire;
   uniform vec3 plain, no_value;
   uniform sampler2D ramp;
   varying vec3 v_normal, v_edge, v_chart_colour;
-  varying vec2 v_uv, v_flat;
+  varying vec2 v_uv;
   varying float v_value;
   void main() {
     vec3 distances = fwidth(v_edge);
-    if (has_copies && max(abs(v_flat.x), abs(v_flat.y)) > 0.5) discard;
     vec3 colour = plain;
     if (mode == 1) colour = v_chart_colour;
     if (mode == 2) {
@@ -66,79 +63,86 @@ const inverse_of = matrix =>
   matrix.invert ? matrix.clone().invert() : new THREE.Matrix4().getInverse(matrix);
 const attribute = (array, n) => new THREE.BufferAttribute(array, n);
 
-// One view of a mesh: `corners` are its triangles, `shape` the canonical surface, or none in space.
+// One view of a mesh: in space, or in the k-th shape of the canonical surface.
 class Panel {
-  constructor(element, corners, atlas, shape, uniforms) {
+  constructor(element, mesh, atlas, k, uniforms) {
     this.element = element;
-    this.corners = corners;
-    this.atlas = atlas;
-    this.shape = shape;
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', attribute(corners.position, 3));
-    geometry.setAttribute('normal', attribute(corners.normal, 3));
-    geometry.setAttribute('edge', attribute(corners.edge, 3));
-    geometry.setAttribute('uv', attribute(chart_coordinates(corners, atlas), 2));
-    const chart = f => (corners.mesh.charts[f] < 0 ? 9 : corners.mesh.charts[f]);
-    geometry.setAttribute(
-      'chart',
-      attribute(
-        Float32Array.from({ length: corners.count }, (_, c) => chart(corners.face(c))),
-        1
-      )
-    );
-    this.value = attribute(new Float32Array(corners.count), 1);
+    this.mesh = mesh;
+    this.shape = k === undefined ? null : atlas.shapes[k];
+    this.places = this.shape ? mesh[`shape${k}`] : mesh.points;
+    this.position = at_corners(mesh, this.places, 3);
+    const count = mesh.triangles.length,
+      geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', attribute(this.position, 3));
+    geometry.setAttribute('normal', attribute(this.normals(k), 3));
+    geometry.setAttribute('edge', attribute(edges_at_corners(mesh), 3));
+    geometry.setAttribute('uv', attribute(at_corners(mesh, mesh.coordinates, 2), 2));
+    const colours = atlas.charts.map(chart => rgb(chart.colour)),
+      chart_colour = new Float32Array(3 * count);
+    for (let c = 0; c < count; ++c) chart_colour.set(colours[chart_of(mesh, Math.floor(c / 3))], 3 * c);
+    geometry.setAttribute('chart_colour', attribute(chart_colour, 3));
+    this.value = attribute(new Float32Array(count), 1);
     geometry.setAttribute('value', this.value);
     this.material = new THREE.ShaderMaterial({
       vertexShader: vertex_shader,
       fragmentShader: fragment_shader,
       side: THREE.DoubleSide,
       extensions: { derivatives: true },
-      uniforms: {
-        ...uniforms,
-        is_flat: { value: !!(shape && shape.is_flat) },
-        has_copies: { value: !!(shape && shape.has_copies) },
-      },
+      uniforms: { ...uniforms, is_flat: { value: !!this.shape && this.shape.is_flat } },
     });
     this.object = new THREE.Group();
-    const mesh = new THREE.Mesh(geometry, this.material);
-    mesh.frustumCulled = false;
-    this.object.add(mesh);
+    const triangles = new THREE.Mesh(geometry, this.material);
+    triangles.frustumCulled = false;
+    this.object.add(triangles);
     this.scene = new THREE.Scene();
     this.scene.add(this.object);
     this.camera = new THREE.PerspectiveCamera(22, 1, 0.01, 100);
-    this.radius = shape ? shape.radius : this.measured_radius();
+    this.frame();
     this.dot = document.createElement('i');
     this.dot.className = 'dot';
     this.dot.hidden = true;
     element.append(this.dot);
   }
 
-  measured_radius() {
-    const p = this.corners.position;
+  normals(k) {
+    if (!this.shape) return normals_at_corners(this.mesh, this.mesh.normals);
+    if (this.shape.is_flat) return this.position.map((_, i) => (i % 3 === 2 ? 1 : 0));
+    return normals_at_corners(this.mesh, this.mesh[`shape${k}_normals`]);
+  }
+
+  // What is seen when nothing is zoomed: a ball about `centre`. Data in space have theirs at the origin.
+  frame() {
+    const p = this.position,
+      box = new THREE.Box3();
+    this.centre = [0, 0, 0];
+    if (this.shape) this.centre = box.setFromArray(p).getCenter(new THREE.Vector3()).toArray();
     let r = 0;
-    for (let i = 0; i < p.length; i += 3) r = Math.max(r, Math.hypot(p[i], p[i + 1], p[i + 2]));
-    return r || 1;
+    for (let i = 0; i < p.length; i += 3)
+      r = Math.max(r, Math.hypot(...this.centre.map((x, k) => p[i + k] - x)));
+    this.radius = (r || 1) * (!this.shape ? 1 : this.shape.is_flat ? 0.96 : 1.06);
   }
 
   show(field, range) {
-    const { corners } = this,
+    const { mesh } = this,
       out = this.value.array,
       scale = 1 / (range.high - range.low);
-    for (let c = 0; c < corners.count; ++c) {
-      const x = (value_at(corners.mesh, field, corners.face(c), corners.weights, c) - range.low) * scale;
+    for (let c = 0; c < out.length; ++c) {
+      const values = mesh[field.name];
+      const value = values[field.is_per_face ? face_of(mesh, Math.floor(c / 3)) : mesh.triangles[c]];
+      const x = (value - range.low) * scale;
       out[c] = Number.isNaN(x) ? -1 : Math.min(1, Math.max(0, x));
     }
     this.value.needsUpdate = true;
   }
 
-  add_net(net) {
+  add_net(net, atlas) {
     const ends = [],
       colours = [];
     for (let q = 0; 12 * q < net.points.length; ++q)
       for (let k = 0; k < 4; ++k)
         for (const corner of [k, (k + 1) % 4]) {
           ends.push(...item(net.points, 4 * q + corner, 3));
-          colours.push(...rgb(chart_colours[net.charts[q]]).map(x => 0.55 * x));
+          colours.push(...rgb(atlas.charts[net.charts[q]].colour).map(x => 0.55 * x));
         }
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', attribute(new Float32Array(ends), 3));
@@ -167,32 +171,20 @@ class Panel {
     this.object.add(this.net);
   }
 
-  // Where a domain point is in this panel.
-  place(p) {
-    if (this.shape) return this.shape.place(p);
-    const at = locate(this.corners.mesh, this.atlas, p);
-    return at && place_of(this.corners.mesh, at);
+  // Where a chart point is in this panel, or null.
+  place(q) {
+    const at = locate(this.mesh, q);
+    return at && blend(this.mesh, this.places, 3, at);
   }
 
-  // The domain point that is seen at (x,y) in [-1,1]^2, or null.
-  domain_point_at(x, y) {
+  // The chart point that is seen at (x,y) in [-1,1]^2, or null.
+  chart_point_at(x, y) {
     const inverse = inverse_of(this.object.matrixWorld);
     const from = new THREE.Vector3(0, 0, 0).setFromMatrixPosition(this.camera.matrixWorld);
     const to = new THREE.Vector3(x, y, 0.5).unproject(this.camera).sub(from).transformDirection(inverse);
     from.applyMatrix4(inverse);
-    const { corners, atlas, shape } = this,
-      n = atlas.dimension;
-    const is_shown =
-      shape && shape.has_copies && ((c, at) => blend(corners.domain, c, 2, at).every(z => z >= 0 && z <= 1));
-    const hit = first_hit(corners, from.toArray(), to.toArray(), is_shown);
-    if (!hit) return null;
-    if (shape) {
-      const p = blend(corners.domain, hit.corner, n, hit.at);
-      return n === 3 ? unit(p) : p;
-    }
-    const { mesh } = corners,
-      v = item(mesh.faces, corners.face(hit.corner), 3);
-    return atlas.interpolate(mesh.domain, ...v, blend(corners.weights, hit.corner, 3, hit.at));
+    const hit = first_hit(this.position, from.toArray(), to.toArray());
+    return hit && chart_point(this.mesh, hit);
   }
 }
 
@@ -207,11 +199,9 @@ class View {
       preserveDrawingBuffer: true,
     });
     this.renderer.autoClear = false;
-    const palette = chart_colours.concat(no_value).map(c => new THREE.Vector3(...rgb(c)));
     this.uniforms = {
       mode: { value: 1 },
       wire: { value: 0 },
-      palette: { value: palette },
       ramp: { value: null },
       plain: { value: new THREE.Vector3(...rgb(plain)) },
       no_value: { value: new THREE.Vector3(...rgb(no_value)) },
@@ -224,8 +214,9 @@ class View {
     this.reset();
   }
 
-  add(element, corners, atlas, shape) {
-    const panel = new Panel(element, corners, atlas, shape, this.uniforms);
+  // `k`: the shape of the canonical surface, or undefined
+  add(element, mesh, atlas, k) {
+    const panel = new Panel(element, mesh, atlas, k, this.uniforms);
     this.panels.push(panel);
     return panel;
   }
@@ -233,14 +224,12 @@ class View {
   // The side of the mesh that is seen first: where most of it is seen, or where a disk looks to.
   face_the_viewer(mesh, is_closed) {
     const seen = [0, 0, 0];
-    for (let f = 0; 3 * f < mesh.faces.length; ++f) {
-      const [a, b, c] = item(mesh.faces, f, 3).map(i => item(mesh.points, i, 3));
-      cross(subtract(b, a), subtract(c, a)).forEach((x, k) => {
+    for (const a of area_vectors(mesh))
+      a.forEach((x, k) => {
         seen[k] += is_closed ? Math.abs(x) : x;
       });
-    }
     const axis = [2, 0, 1].reduce((a, b) => (Math.abs(seen[b]) > 1.05 * Math.abs(seen[a]) ? b : a));
-    const forward = units[axis].map(x => x * (seen[axis] < 0 ? -1 : 1)),
+    const forward = [0, 0, 0].map((_, k) => (k !== axis ? 0 : seen[axis] < 0 ? -1 : 1)),
       up = axis === 1 ? [0, 0, 1] : [0, 1, 0];
     const matrix = new THREE.Matrix4().makeBasis(
       new THREE.Vector3(...cross(up, forward)),
@@ -273,13 +262,14 @@ class View {
     this.request();
   }
 
-  centre_on(p) {
-    this.targets = p && this.panels.map(panel => panel.place(p));
+  // A chart point, or null.
+  centre_on(q) {
+    this.targets = q && this.panels.map(panel => panel.place(q));
     this.request();
   }
 
-  mark(p) {
-    this.marked = p && this.panels.map(panel => panel.place(p));
+  mark(q) {
+    this.marked = q && this.panels.map(panel => panel.place(q));
     this.request();
   }
 
@@ -332,7 +322,7 @@ class View {
   }
 
   arrange(panel, aspect, target) {
-    const { camera, object, radius, shape } = panel;
+    const { camera, object, radius, shape, centre } = panel;
     const half = (camera.fov * Math.PI) / 360,
       narrow = Math.min(1, aspect);
     const distance = (1.02 * radius) / Math.sin(Math.atan(Math.tan(half) * narrow));
@@ -346,8 +336,7 @@ class View {
     object.quaternion.set(0, 0, 0, 1);
     if (!shape || !shape.is_flat) object.quaternion.copy(this.turned);
     if (!shape) object.quaternion.multiply(this.front);
-    object.position.set(0, 0, 0);
-    if (target) object.position.fromArray(target).applyQuaternion(object.quaternion).negate();
+    object.position.fromArray(target || centre).applyQuaternion(object.quaternion).negate();
     object.updateMatrixWorld();
   }
 

@@ -42,9 +42,7 @@ struct Report {
     }
     for (const auto& a : info["arrays"])
       bytes.resize(bytes.size() + a["size"].get<std::size_t>() * a["components"].get<std::size_t>() *
-                                    (a["type"] == "i8"    ? 1
-                                     : a["type"] == "i16" ? 2
-                                                          : 4));
+                                    (a["type"] == "i16" ? 2 : 4));
     uLongf size = uLongf(bytes.size());
     REQUIRE(uncompress(reinterpret_cast<Bytef*>(&bytes[0]), &size,
                        reinterpret_cast<const Bytef*>(packed.data()), uLong(packed.size())) == Z_OK);
@@ -69,6 +67,15 @@ struct Report {
         reinterpret_cast<char*>(items.data())[i * width + k] = bytes[first + k * n + i];
     return items;
   }
+
+  std::vector<int> indices(const std::string& name) const
+  {
+    std::vector<int> items;
+    int index = 0;
+    for (const unsigned coded : array<std::uint32_t>(name))
+      items.push_back(index += coded % 2 ? -int(coded / 2) - 1 : int(coded / 2));
+    return items;
+  }
 };
 
 double largest_difference(const std::vector<float>& values, double truth)
@@ -83,7 +90,7 @@ double largest_difference(const std::vector<float>& values, double truth)
 TEST_CASE("a report holds the mesh, the surface and their geometry")
 {
   const auto sphere = ellipsoid(Eigen::Vector3d(2, 2, 2));
-  const auto map = map_of(sphere, 8);
+  const auto map = map_of(sphere, 32);
   const Temporary_folder folder;
   const nlohmann::ordered_json figures = {{"input", {{"file", "</script><b>"}}}};
   SM::write_report(folder("r.html"), map, sphere, SM::Fit_report(), figures, page);
@@ -91,28 +98,28 @@ TEST_CASE("a report holds the mesh, the surface and their geometry")
   CHECK(text.find("</script><b>") == std::string::npos); // no text can end the element that it is in
   const Report report(text);
   CHECK(report.info["figures"] == nlohmann::json(figures));
-  CHECK(report.info["atlas"] == "sphere");
+  CHECK(report.info["atlas"]["name"] == "sphere");
+  CHECK(report.info["atlas"]["charts"].size() == 6);
+  CHECK(report.info["atlas"]["shapes"][0]["title"] == "unit sphere");
 
-  const auto points = report.array<float>("mesh.points"), domain = report.array<float>("mesh.domain");
-  REQUIRE(points.size() == 3 * map.number_of_vertices());
+  // The tiles are made of whole faces, which are short enough, so each is drawn as it is.
+  const auto points = report.array<float>("mesh.points"), places = report.array<float>("mesh.shape0");
+  const auto triangles = report.indices("mesh.triangles"), faces = report.indices("mesh.faces");
+  REQUIRE(triangles.size() == 3 * map.number_of_faces());
   double place = 0, domain_place = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double centre = report.info["centre"][i % 3], diagonal = report.info["diagonal"];
-    place = (std::max)(place, std::abs(points[i] * diagonal + centre - map.point(i / 3)[i % 3]));
-    domain_place = (std::max)(domain_place, std::abs(domain[i] - map.domain_point(i / 3)[i % 3]));
+  for (std::size_t c = 0; c < triangles.size(); ++c) {
+    const int v = map.face(faces[c / 3])[c % 3];
+    for (int k = 0; k < 3; ++k) {
+      const double centre = report.info["centre"][k], diagonal = report.info["diagonal"];
+      place = (std::max)(place, std::abs(points[3 * triangles[c] + k] * diagonal + centre - map.point(v)[k]));
+      domain_place =
+        (std::max)(domain_place, std::abs(places[3 * triangles[c] + k] - map.domain_point(v)[k]));
+    }
   }
   CHECK(place < 2e-5);
-  CHECK(domain_place < 2e-7);
-
-  const auto coded = report.array<std::uint32_t>("mesh.faces");
-  REQUIRE(coded.size() == 3 * map.number_of_faces());
-  int index = 0;
-  bool are_faces_equal = true;
-  for (std::size_t i = 0; i < coded.size(); ++i) {
-    index += coded[i] % 2 ? -int(coded[i] / 2) - 1 : int(coded[i] / 2);
-    are_faces_equal = are_faces_equal && index == map.face(i / 3)[i % 3];
-  }
-  CHECK(are_faces_equal);
+  CHECK(domain_place < 2e-6);
+  const auto edges = report.array<std::int16_t>("mesh.edges");
+  CHECK(std::count(edges.begin(), edges.end(), 7) == std::ptrdiff_t(edges.size()));
 
   // The surface is the sphere of radius 2, and goes through the vertices.
   const double diagonal = map.diagonal();
@@ -123,10 +130,13 @@ TEST_CASE("a report holds the mesh, the surface and their geometry")
   const auto error = report.array<float>("surface.error");
   CHECK(*std::max_element(error.begin(), error.end()) > 1e-4); // between the vertices the mesh is flat
   const auto normals = report.array<std::int16_t>("surface.normals");
-  const auto surface_domain = report.array<float>("surface.domain");
+  const auto charts = report.array<std::int16_t>("surface.charts");
+  const auto uv = report.array<float>("surface.coordinates");
   double angle = 0;
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    angle = (std::max)(angle, std::abs(normals[i] / 32767. - surface_domain[i]));
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    const Eigen::Vector3d p = map.atlas().point({charts[i], {uv[2 * i], uv[2 * i + 1]}});
+    for (int k = 0; k < 3; ++k) angle = (std::max)(angle, std::abs(normals[3 * i + k] / 32767. - p[k]));
+  }
   CHECK(angle < 1e-4);
 }
 
@@ -143,6 +153,50 @@ TEST_CASE("a report of a map alone has no surface; a page without a place for th
   CHECK_FALSE(report.info.contains("fit"));
   CHECK_THROWS_AS(SM::write_report(folder("s.html"), map, figures, "<html>"), SM::IO_error);
   CHECK(folder.entries() == std::vector<std::string>{"r.html"});
+}
+
+TEMPLATE_TEST_CASE("a face is drawn in pieces that are short, lie in one tile each and make the whole", "",
+                   SM::Sphere_atlas, SM::Torus_atlas, SM::Plane_atlas)
+{
+  const TestType atlas;
+  using Domain_point = typename TestType::Domain_point;
+  std::vector<Domain_point> p; // on the sphere and the torus round a point where three or four tiles meet
+  if constexpr (std::is_same_v<TestType, SM::Sphere_atlas>)
+    p = {Domain_point(1, 0.2, 0.1).normalized(), Domain_point(0.1, 1, 0.3).normalized(),
+         Domain_point(0.2, 0.1, 1).normalized()};
+  else
+    p = {Domain_point(0.4, 0.45), Domain_point(0.7, 0.42), Domain_point(0.51, 0.8)};
+  double area = 0, wrong_area = 0, length = 0, longest = 0;
+  bool is_turned_over = false;
+  const SM::internal::Tile_cutter<TestType> cut(atlas);
+  std::vector<int> tiles;
+  cut(p[0], p[1], p[2], [&](const auto& piece) {
+    const auto& c = piece.corners;
+    Eigen::Matrix3d weights;
+    for (int k = 0; k < 3; ++k) weights.col(k) = c[k].weights;
+    area += weights.determinant();
+    is_turned_over = is_turned_over || !(weights.determinant() > -1e-12);
+    const Domain_point centre = atlas.interpolate(p[0], p[1], p[2], weights.rowwise().mean());
+    if (atlas.tile(centre) != piece.tile) wrong_area += weights.determinant();
+    for (int k = 0; k < 3; ++k) {
+      const auto &a = c[(k + 1) % 3], &b = c[(k + 2) % 3];
+      REQUIRE(atlas.contains(piece.tile, a.point));
+      longest = (std::max)(
+        longest, (atlas.coordinates(piece.tile, a.point) - atlas.coordinates(piece.tile, b.point)).norm());
+      if (piece.is_edge[k]) length += (a.weights - b.weights).norm();
+    }
+    tiles.push_back(piece.tile);
+  });
+  CHECK(area == Approx(1));
+  CHECK(length == Approx(3 * std::sqrt(2.))); // of the three sides, in barycentric coordinates
+  CHECK(longest < 0.1);
+  CHECK_FALSE(is_turned_over);
+  CHECK(wrong_area < 1e-4);
+  std::sort(tiles.begin(), tiles.end());
+  const auto n = std::unique(tiles.begin(), tiles.end()) - tiles.begin();
+  CHECK(n == (std::is_same_v<TestType, SM::Sphere_atlas>  ? 3
+              : std::is_same_v<TestType, SM::Torus_atlas> ? 4
+                                                          : 1));
 }
 
 TEST_CASE("distortions of faces have the means of the map's distortion")

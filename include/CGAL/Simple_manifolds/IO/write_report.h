@@ -10,9 +10,11 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
+#include <CGAL/Simple_manifolds/IO/chart_colour.h>
 #include <CGAL/Simple_manifolds/IO/internal/report/Report_arrays.h>
 #include <CGAL/Simple_manifolds/IO/internal/report/Report_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/report/control_cells.h>
+#include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
 
@@ -22,7 +24,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -47,10 +51,9 @@ public:
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& p : map.points()) box.extend(p);
     centre_ = box.center();
-    info_ = {{"atlas", Map::Atlas::name},   {"charts", int(Map::Atlas::number_of_charts)},
-             {"faces", mesh_.faces.size()}, {"faces_of_map", distortions_.angle.size()},
+    info_ = {{"faces", mesh_.angle.size()}, {"faces_of_map", distortions_.angle.size()},
              {"diagonal", unit()},          {"centre", {centre_.x(), centre_.y(), centre_.z()}},
-             {"figures", figures}};
+             {"figures", figures},          {"atlas", facts_of_atlas(map.atlas())}};
   }
 
   template <class Surface>
@@ -60,14 +63,14 @@ public:
       std::clamp(double(map_.number_of_vertices()), 10000., 40000.));
     auto tessellation = report_tessellation(map_, surface, subdivisions, distortions_);
     tessellation.evaluate(map_, surface);
-    tessellation.add_to(arrays_, "surface", centre_, unit());
+    tessellation.add_to(arrays_, "surface", map_.atlas(), centre_, unit());
     mesh_.evaluate(map_, surface);
 
     std::vector<int> charts;
     std::vector<Eigen::Vector3d> corners = control_cells(surface, charts);
     for (Eigen::Vector3d& p : corners) p = (p - centre_) / unit();
     arrays_.add_vectors("net.points", corners, 14);
-    arrays_.add_bytes("net.charts", charts);
+    arrays_.add_integers("net.charts", charts);
 
     nlohmann::ordered_json fit = {{"rms_tolerance", report.rms_tolerance},
                                   {"max_tolerance", report.max_tolerance}};
@@ -80,7 +83,7 @@ public:
 
   void write(const std::string& file, std::string_view page)
   {
-    mesh_.add_to(arrays_, "mesh", centre_, unit());
+    mesh_.add_to(arrays_, "mesh", map_.atlas(), centre_, unit());
     info_["arrays"] = arrays_.table();
     std::string info = info_.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     for (std::size_t i = info.find('<'); i != std::string::npos; i = info.find('<', i))
@@ -98,6 +101,24 @@ public:
   }
 
 private:
+  // All that the page has to know of a canonical surface.
+  template <class Atlas>
+  static nlohmann::ordered_json facts_of_atlas(const Atlas& atlas)
+  {
+    nlohmann::ordered_json facts = {
+      {"name", atlas.name}, {"genus", atlas.genus}, {"is_closed", atlas.is_closed}};
+    for (int c = 0; c < atlas.number_of_charts; ++c) {
+      const Eigen::Vector3d colour = 255 * chart_colour(c);
+      char text[8];
+      std::snprintf(text, sizeof text, "#%02x%02x%02x", unsigned(std::lround(colour[0])) & 255,
+                    unsigned(std::lround(colour[1])) & 255, unsigned(std::lround(colour[2])) & 255);
+      facts["charts"].push_back({{"colour", text}});
+    }
+    for (const Domain_shape<Atlas>& shape : domain_shapes(atlas))
+      facts["shapes"].push_back({{"title", shape.title}, {"is_flat", shape.is_flat}});
+    return facts;
+  }
+
   double unit() const { return map_.diagonal() > 0 ? map_.diagonal() : 1; }
 
   const Map& map_;

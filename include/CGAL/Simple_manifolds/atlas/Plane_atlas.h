@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_ATLAS_PLANE_ATLAS_H
 
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
+#include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/atlas/internal/Short_list.h>
 #include <CGAL/Simple_manifolds/atlas/internal/barycentric.h>
@@ -17,6 +18,8 @@
 #include <CGAL/assertions.h>
 
 #include <Eigen/Core>
+
+#include <vector>
 
 /// \file
 
@@ -122,6 +125,14 @@ public:
 
   /// The point (s,t) of the closed unit square.
   Domain_point tile_point(int, double s, double t) const { return {s, t}; }
+
+  /// It is shown as itself.
+  std::vector<Domain_shape<Plane_atlas>> shapes() const
+  {
+    return {{"unit square", true, [](const Plane_atlas&, const Chart_point& q) -> Eigen::Vector3d {
+               return {q.uv.x(), q.uv.y(), 0};
+             }}};
+  }
 
   /// @}
   /// \name Triangles

@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_ATLAS_SPHERE_ATLAS_H
 
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
+#include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/atlas/internal/Short_list.h>
 #include <CGAL/Simple_manifolds/atlas/internal/barycentric.h>
@@ -19,6 +20,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <vector>
 
 /// \file
 
@@ -231,6 +233,14 @@ public:
     p[next] = cube_coordinate(is_positive ? s : t);
     p[last] = cube_coordinate(is_positive ? t : s);
     return p / std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+  }
+
+  /// It is shown as itself.
+  std::vector<Domain_shape<Sphere_atlas>> shapes() const
+  {
+    return {{"unit sphere", false, [](const Sphere_atlas& atlas, const Chart_point& q) -> Eigen::Vector3d {
+               return atlas.point(q);
+             }}};
   }
 
   /// @}

@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_ATLAS_TORUS_ATLAS_H
 
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
+#include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/atlas/internal/Short_list.h>
 #include <CGAL/Simple_manifolds/atlas/internal/barycentric.h>
@@ -19,6 +20,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <vector>
 
 /// \file
 
@@ -183,6 +185,22 @@ public:
       return (x < 6 ? x : x - 6) / 6;
     };
     return {place(tile % 3, s), place(tile / 3, t)};
+  }
+
+  /// It is shown as the square [1/6,7/6]^2, which is cut between tiles, and as a ring with the radii 1.5 and 1
+  /// (Grimm 2002, section 3.3).
+  std::vector<Domain_shape<Torus_atlas>> shapes() const
+  {
+    const auto in_square = [](const Torus_atlas&, const Chart_point& q) -> Eigen::Vector3d {
+      return {(q.chart % 3 + 2 * q.uv.x()) / 3, (q.chart / 3 + 2 * q.uv.y()) / 3, 0};
+    };
+    const auto on_ring = [](const Torus_atlas& atlas, const Chart_point& q) -> Eigen::Vector3d {
+      constexpr double turn = 6.28318530717958648;
+      const Domain_point p = atlas.point(q);
+      const double a = turn * p.x(), b = turn * p.y(), r = 1.5 + std::cos(a);
+      return {r * std::cos(b), std::sin(a), r * std::sin(b)};
+    };
+    return {{"flat torus", true, in_square}, {"ring torus", false, on_ring}};
   }
 
   /// @}

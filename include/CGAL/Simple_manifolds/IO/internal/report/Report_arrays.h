@@ -63,24 +63,26 @@ public:
     add(name, "i16", 3, rounded.data(), rounded.size());
   }
 
-  void add_bytes(const std::string& name, const std::vector<int>& values)
+  // From -32768 to 32767.
+  void add_integers(const std::string& name, const std::vector<int>& values)
   {
-    const std::vector<std::int8_t> bytes(values.begin(), values.end());
-    add(name, "i8", 1, bytes.data(), bytes.size());
+    const std::vector<std::int16_t> rounded(values.begin(), values.end());
+    add(name, "i16", 1, rounded.data(), rounded.size());
   }
 
   // Indices: each as its difference d from the one before, written as 2d or -2d-1.
-  void add_triangles(const std::string& name, const std::vector<std::array<int, 3>>& triangles)
+  template <std::size_t N>
+  void add_indices(const std::string& name, const std::vector<std::array<int, N>>& items)
   {
-    std::vector<std::array<std::uint32_t, 3>> coded(triangles.size());
+    std::vector<std::array<std::uint32_t, N>> coded(items.size());
     int previous = 0;
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-      for (int k = 0; k < 3; ++k) {
-        const int d = triangles[i][k] - previous;
+    for (std::size_t i = 0; i < items.size(); ++i)
+      for (std::size_t k = 0; k < N; ++k) {
+        const int d = items[i][k] - previous;
         coded[i][k] = d >= 0 ? 2u * unsigned(d) : 2u * unsigned(-(d + 1)) + 1u;
-        previous = triangles[i][k];
+        previous = items[i][k];
       }
-    add(name, "index", 3, coded.data(), coded.size());
+    add(name, "index", int(N), coded.data(), coded.size());
   }
 
   // Per array its type, components per item, number of items and first byte.

@@ -85,10 +85,10 @@ template <class Surface>
 std::vector<Eigen::Vector3d> control_cells(const Surface& surface, std::vector<int>& charts)
 {
   std::vector<Eigen::Vector3d> corners;
-  for (int c = 0; c < Surface::Atlas::number_of_charts; ++c) {
+  const auto& atlas = surface.atlas();
+  for (int c = 0; c < atlas.number_of_charts; ++c) {
     const auto is_in_tile = [&](const Eigen::Vector2d& uv) {
-      if (Surface::Atlas::number_of_charts == 1) return true;
-      const auto& atlas = surface.atlas();
+      if (atlas.number_of_charts == 1) return true;
       return is_in_open_unit_square(uv) && atlas.tile(atlas.point(Chart_point{c, uv})) == c;
     };
     const auto add = [&](const Chart_box& box, const auto& control, int degree) {
