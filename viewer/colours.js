@@ -96,6 +96,7 @@ const fields = [
     least: 0,
     text: 'Distance of surface and mesh at the same domain point, in percent of the diagonal',
     show: percent,
+    unit: ' of the diagonal',
   },
   {
     name: 'mean',

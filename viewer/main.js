@@ -232,7 +232,7 @@ function make_inspector(view, data) {
       if (field.ramp && mesh[field.name])
         rows.push([
           field.label.toLowerCase(),
-          in_units(field, info)(value_at(mesh, field, at)),
+          in_units(field, info)(value_at(mesh, field, at)) + (field.unit || ''),
         ]);
     tip.replaceChildren(
       ...rows.flatMap(([name, value]) => [element('b', {}, name), element('span', {}, value)])
@@ -282,7 +282,7 @@ function rows_of(group, prefix) {
     if (value === null || typeof value !== 'object') return [[label, text_of(value, label)]];
     if (!Array.isArray(value)) return rows_of(value, label);
     return value.every(x => typeof x === 'number')
-      ? [[label, value.map(x => text_of(x, label)).join(' · ')]]
+      ? [[label, value.map(x => text_of(x, label)).join('\u00a0· ')]]
       : [];
   });
 }

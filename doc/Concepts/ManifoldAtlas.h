@@ -116,6 +116,10 @@ public:
   /// points of an edge are the same numbers, bit for bit, in both tiles that share it.
   Domain_point tile_point(int tile, double s, double t) const;
 
+  /// The shapes in which the domain is shown in pictures and reports, one at least. Optional: without this
+  /// member it is shown as its charts, side by side.
+  std::vector<CGAL::Simple_manifolds::Domain_shape<ManifoldAtlas>> shapes() const;
+
   /// @}
   /// \name Triangles
   /// The triangle of three domain points has geodesic edges; on the torus it is that of `p` and the

@@ -4,6 +4,7 @@
 #include "catch.h"
 #include "truth.h"
 
+#include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
 #include <CGAL/Simple_manifolds/atlas/Partition_of_unity.h>
 #include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
@@ -290,4 +291,38 @@ TEST_CASE("a partition of unity needs no more than the concepts promise")
   check_partition<Partition_of_unity<Atlas_archetype>>();
   check_partition<Partition_of_unity<Sphere_atlas, Bump_archetype>>();
   check_partition<Partition_of_unity<Torus_atlas, Bump_archetype>>();
+}
+
+TEMPLATE_TEST_CASE("the shapes of an atlas are positively oriented, and whole where they are not flat", "",
+                   Plane_atlas, Sphere_atlas, Torus_atlas, Atlas_archetype)
+{
+  const TestType atlas;
+  const auto shapes = CGAL::Simple_manifolds::internal::domain_shapes(atlas);
+  REQUIRE(!shapes.empty());
+  for (const auto& shape : shapes) {
+    CAPTURE(shape.title);
+    double turned = 0, off = 0, cut = 0;
+    for (int tile = 0; tile < atlas.number_of_charts; ++tile)
+      for (const double u : {0.3, 0.45, 0.6})
+        for (const double v : {0.35, 0.5, 0.7}) {
+          const Chart_point q{tile, {u, v}};
+          const Vector3d x = shape.place(atlas, q);
+          const Vector3d n = CGAL::Simple_manifolds::internal::normal_of_shape(shape, atlas, q);
+          if (shape.is_flat) {
+            turned = (std::max)(turned, (n - Vector3d::UnitZ()).norm());
+            off = (std::max)(off, std::abs(x.z()));
+            continue;
+          }
+          // The sphere has the radius 1, and so has the tube of the ring round its circle of radius 1.5.
+          Vector3d centre = Vector3d::Zero();
+          if (atlas.genus == 1) centre = 1.5 * Vector3d(x.x(), 0, x.z()).normalized();
+          turned = (std::max)(turned, (n - (x - centre)).norm());
+          off = (std::max)(off, std::abs((x - centre).norm() - 1));
+          for (const Chart_point& other : atlas.charts_at(atlas.point(q)))
+            cut = (std::max)(cut, (shape.place(atlas, other) - x).norm());
+        }
+    CHECK(turned < 1e-8);
+    CHECK(off < 1e-12);
+    CHECK(cut < 1e-12);
+  }
 }

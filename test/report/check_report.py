@@ -69,7 +69,8 @@ def read_map(path):
 
 
 def numbers(text):
-    return [float(x) for x in re.findall(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text.replace("−", "-").replace(" ", ""))]
+    text = re.sub(r"\s", "", text.replace("−", "-"))
+    return [float(x) for x in re.findall(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text)]
 
 
 def distance_from_triangle_plane_and_outside(p, a, b, c):
@@ -83,13 +84,23 @@ def distance_from_triangle_plane_and_outside(p, a, b, c):
     return dot(rest, rest) ** 0.5, min(s, t, 1 - s - t), max(uu, vv) ** 0.5
 
 
+def tile(charts, p):
+    """The tile of a domain point of the square (1), the sphere (6) or the torus (9 charts)."""
+    if charts == 1:
+        return 0
+    if charts == 6:
+        k = max(range(3), key=lambda k: abs(p[k]))
+        return 2 * (1, 0, 2).index(k) + (p[k] < 0)
+    return sum(m * math.floor((p[k] - 1 / 6) % 1 * 3) for k, m in ((0, 1), (1, 3)))
+
+
 def chart_point(charts, chart, p):
-    """The coordinates of a domain point in a chart of the square (1), the sphere (6) or the torus (9 charts)."""
+    """The coordinates of a domain point in a chart."""
     if charts == 1:
         return p
     if charts == 6:
         x, y, z = (p, p[2:] + p[:2], p[1:] + p[:1])[chart // 2]
-        return chart % 2 + math.atan2(y, x) / math.pi, (math.asin(z) + 3 * math.pi / 8) * 4 / (3 * math.pi)
+        return (chart % 2 + math.atan2(y, x) / math.pi) % 2, (math.asin(z) + 3 * math.pi / 8) * 4 / (3 * math.pi)
     return tuple(1.5 * ((p[k] - (chart % 3, chart // 3)[k] / 3) % 1) for k in range(2))
 
 
@@ -177,7 +188,8 @@ class Page:
         """What hovering says of a point, against the map that the program wrote."""
         names, vertices, faces = read_map(folder / "map.ply")
         diagonal = sum((max(c) - min(c)) ** 2 for c in list(zip(*vertices))[:3]) ** 0.5
-        charts = json.loads(self.browser.run("return document.getElementById('info').textContent"))["charts"]
+        info = json.loads(self.browser.run("return document.getElementById('info').textContent"))
+        charts, shape = len(info["atlas"]["charts"]), info["atlas"]["shapes"][0]["title"]
         for panel in range(self.browser.run("return document.querySelectorAll('.panel').length")):
             self.browser.move_to(*self.middle(panel))
             tip = self.tip()
@@ -194,17 +206,24 @@ class Page:
             off, inside, size = distance_from_triangle_plane_and_outside(numbers(tip["in space"]), a, b, c)
             self.check(off < 4e-3 * diagonal and inside > -4e-3 * diagonal / size,
                        f"view {panel}: the point is not in the face: {tip}")
-            if face[3] >= 0:
-                chart, u, v = numbers(tip["chart"])
-                p = numbers(tip.get("on the sphere") or tip["in the domain"])
-                expected = chart_point(charts, face[3], p)
-                self.check(chart == face[3] and max(abs(u - expected[0]), abs(v - expected[1])) < 4e-3,
-                           f"view {panel}: wrong chart point: {tip}, {expected}")
+            p = numbers(tip[f"on the {shape}"])
+            chart, u, v = numbers(tip["chart"])
+            expected = chart_point(charts, int(chart), p)
+            self.check(chart == tile(charts, p) and max(abs(u - expected[0]), abs(v - expected[1])) < 4e-3,
+                       f"view {panel}: wrong chart point: {tip}, {expected}")
             self.check(numbers(tip["angle"])[0] >= 1, f"view {panel}: {tip}")
             dots = self.browser.run("return [...document.querySelectorAll('.dot')].map(e => !e.hidden)")
             self.check(dots[panel], f"view {panel} does not mark the point")
         self.browser.move_to(1, 1)
         self.check(self.tip() == {}, "the values stay when the pointer leaves")
+
+    def check_times(self, folder):
+        """The page has the times of metrics.json, which are those of the console."""
+        seconds = json.loads((folder / "metrics.json").read_text())["seconds"]
+        said = self.browser.run("""return [...document.querySelectorAll('#highlights div')]
+                                     .find(e => e.textContent.includes('to map and fit')).textContent""")
+        expected = seconds["map"] + seconds["fit"]
+        self.check(abs(numbers(said)[0] - expected) <= 0.006 * expected, f"{said} instead of {expected} s")
 
     def check_quiet(self):
         for line in self.browser.log():
@@ -234,9 +253,11 @@ def main():
             page.check_pointer_and_keys()
             page.check_values(work / name)
             page.check_quiet()
-            tables = browser.run("return document.querySelectorAll('#figures td').length")
+            cells = browser.run("return [...document.querySelectorAll('#figures td')].map(e => e.textContent)")
             plots = browser.run("return document.querySelectorAll('#plots svg').length")
-            page.check(tables > 40 and plots >= 3, f"{tables} figures and {plots} plots")
+            page.check(len(cells) > 40 and plots >= 3, f"{len(cells)} figures and {plots} plots")
+            page.check(sum(cell.endswith("% of the diagonal") for cell in cells) >= 8, f"no units: {cells}")
+            page.check_times(work / name)
 
         light = browser.run("return getComputedStyle(document.body).backgroundColor")
         browser.set_dark(True)
@@ -245,6 +266,15 @@ def main():
         browser.settle()
         width = browser.run("return document.documentElement.scrollWidth")
         check(width <= 390, f"the page is {width} wide on a phone of 390")
+        # No number is broken: what stands in one word is in one line.
+        broken = browser.run("""const range = document.createRange();
+            return [...document.querySelectorAll('#figures td:not(.path), #highlights dd, .ticks span')].flatMap(e =>
+              [...e.textContent.matchAll(/\\d[^ ]*/g)].filter(({0: word, index}) => {
+                range.setStart(e.firstChild, index);
+                range.setEnd(e.firstChild, index + word.length);
+                return new Set([...range.getClientRects()].map(r => Math.round(r.top))).size > 1;
+              }).map(([word]) => word));""")
+        check(broken == [], f"broken numbers: {broken}")
         browser.resize(800, 560)
 
         report = work / "map.html"
