@@ -90,7 +90,7 @@ double largest_difference(const std::vector<float>& values, double truth)
 TEST_CASE("a report holds the mesh, the surface and their geometry")
 {
   const auto sphere = ellipsoid(Eigen::Vector3d(2, 2, 2));
-  const auto map = map_of(sphere, 32);
+  const auto map = map_of(sphere, 8);
   const Temporary_folder folder;
   const nlohmann::ordered_json figures = {{"input", {{"file", "</script><b>"}}}};
   SM::write_report(folder("r.html"), map, sphere, SM::Fit_report(), figures, page);
@@ -102,28 +102,48 @@ TEST_CASE("a report holds the mesh, the surface and their geometry")
   CHECK(report.info["atlas"]["charts"].size() == 6);
   CHECK(report.info["atlas"]["shapes"][0]["title"] == "unit sphere");
 
-  // The tiles are made of whole faces, which are short enough, so each is drawn as it is.
+  // What is drawn of the mesh is on it, at the domain points whose places on the unit sphere are given.
   const auto points = report.array<float>("mesh.points"), places = report.array<float>("mesh.shape0");
-  const auto triangles = report.indices("mesh.triangles"), faces = report.indices("mesh.faces");
-  REQUIRE(triangles.size() == 3 * map.number_of_faces());
-  double place = 0, domain_place = 0;
-  for (std::size_t c = 0; c < triangles.size(); ++c) {
-    const int v = map.face(faces[c / 3])[c % 3];
-    for (int k = 0; k < 3; ++k) {
-      const double centre = report.info["centre"][k], diagonal = report.info["diagonal"];
-      place = (std::max)(place, std::abs(points[3 * triangles[c] + k] * diagonal + centre - map.point(v)[k]));
-      domain_place =
-        (std::max)(domain_place, std::abs(places[3 * triangles[c] + k] - map.domain_point(v)[k]));
-    }
-  }
-  CHECK(place < 2e-5);
-  CHECK(domain_place < 2e-6);
-  const auto edges = report.array<std::int16_t>("mesh.edges");
-  CHECK(std::count(edges.begin(), edges.end(), 7) == std::ptrdiff_t(edges.size()));
-
-  // The surface is the sphere of radius 2, and goes through the vertices.
+  const auto errors = report.array<float>("mesh.error");
   const double diagonal = map.diagonal();
-  CHECK(largest_difference(report.array<float>("mesh.error"), 0) < 1e-12);
+  const auto point = [&](int v) -> Eigen::Vector3d {
+    const auto& c = report.info["centre"];
+    return Eigen::Vector3d(points[3 * v], points[3 * v + 1], points[3 * v + 2]) * diagonal +
+           Eigen::Vector3d(c[0], c[1], c[2]);
+  };
+  double off = 0, wrong_error = 0;
+  for (int v = 0; v < int(errors.size()); ++v) {
+    const auto p = Eigen::Vector3d(places[3 * v], places[3 * v + 1], places[3 * v + 2]).normalized();
+    off = (std::max)(off, (point(v) - map.position(map.to_mesh(p))).norm());
+    wrong_error = (std::max)(wrong_error, std::abs(errors[v] - (point(v) - 2 * p).norm() / diagonal));
+  }
+  CHECK(off < 3e-5);
+  CHECK(wrong_error < 2e-5);
+
+  // The pieces of a face have its area, its orientation and its border.
+  const auto triangles = report.indices("mesh.triangles"), faces = report.indices("mesh.faces");
+  const auto edges = report.array<std::int16_t>("mesh.edges");
+  REQUIRE(faces.size() > map.number_of_faces());
+  std::vector<Eigen::Vector3d> area(map.number_of_faces(), Eigen::Vector3d::Zero());
+  std::vector<double> border(map.number_of_faces(), 0);
+  for (std::size_t t = 0; t < faces.size(); ++t) {
+    Eigen::Vector3d x[3];
+    for (int k = 0; k < 3; ++k) x[k] = point(triangles[3 * t + k]);
+    area[faces[t]] += (x[1] - x[0]).cross(x[2] - x[0]);
+    for (int k = 0; k < 3; ++k)
+      if (edges[t] >> k & 1) border[faces[t]] += (x[(k + 1) % 3] - x[(k + 2) % 3]).norm();
+  }
+  double wrong_area = 0, wrong_border = 0;
+  for (std::size_t f = 0; f < map.number_of_faces(); ++f) {
+    const SM::Triangle& t = map.face(f);
+    const Eigen::Vector3d u = map.point(t[1]) - map.point(t[0]), v = map.point(t[2]) - map.point(t[0]);
+    wrong_area = (std::max)(wrong_area, (area[f] - u.cross(v)).norm());
+    wrong_border = (std::max)(wrong_border, std::abs(border[f] - u.norm() - v.norm() - (u - v).norm()));
+  }
+  CHECK(wrong_area < 1e-4);
+  CHECK(wrong_border < 1e-3);
+
+  // The surface is the sphere of radius 2.
   CHECK(largest_difference(report.array<float>("surface.mean"), diagonal / 2) < 1e-3 * diagonal);
   const double square = diagonal * diagonal;
   CHECK(largest_difference(report.array<float>("surface.gauss"), square / 4) < 1e-3 * square);
