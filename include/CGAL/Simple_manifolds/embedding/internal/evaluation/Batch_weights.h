@@ -63,6 +63,15 @@ struct Batch_slot {
   std::array<std::array<Row, 3>, IsTransported && Order >= 2 ? 5 : 0> second;
 };
 
+// The slots of a row of points: first those with the coordinates of the reporting chart, then the others.
+template <int Order>
+struct Batch_slots {
+  const Batch_slot<Order, false>* own;
+  int number_of_own;
+  const Batch_slot<Order, true>* transported;
+  int number_of_transported;
+};
+
 // The slots of an atlas; the general atlas has none.
 template <class Atlas, class Bump, int Order>
 class Batch_weights;
@@ -92,11 +101,7 @@ public:
     for (Row& b : slot_.b) std::fill(b.x, b.x + row_size, &b == &slot_.b[0] ? 1. : 0.);
   }
 
-  template <class Function>
-  void for_each_slot(const Function& f) const
-  {
-    f(slot_);
-  }
+  Batch_slots<Order> slots() const { return {&slot_, 1, nullptr, 0}; }
 
 private:
   Batch_slot<Order, false> slot_;

@@ -62,13 +62,7 @@ public:
     normalise();
   }
 
-  template <class Function>
-  void for_each_slot(const Function& f) const
-  {
-    f(first_);
-    f(others_[0]);
-    f(others_[1]);
-  }
+  Batch_slots<Order> slots() const { return {&first_, 1, others_.data(), int(others_.size())}; }
 
 private:
   static constexpr double pi = 3.14159265358979324;

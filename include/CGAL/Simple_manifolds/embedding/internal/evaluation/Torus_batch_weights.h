@@ -69,11 +69,7 @@ public:
     }
   }
 
-  template <class Function>
-  void for_each_slot(const Function& f) const
-  {
-    for (const auto& slot : slots_) f(slot);
-  }
+  Batch_slots<Order> slots() const { return {slots_.data(), int(slots_.size()), nullptr, 0}; }
 
 private:
   template <class T>

@@ -130,10 +130,10 @@ class Blend_rows {
 public:
   using Sums = std::array<Pack_jet<Width>, 4 / Width>;
 
-  template <class Surface, class Slot>
-  void add(const Surface& surface, const Slot& slot)
+  template <class Slot>
+  void add(const Hierarchical_embedding* charts, const Slot& slot)
   {
-    const Leaf_table& first = surface.chart_embedding(0).leaves(); // all have the same base
+    const Leaf_table& first = charts[0].leaves(); // all have the same base
     for (int k = 0; k < row_size; ++k) {
       x_[k] = slot.u[k] * first.base();
       y_[k] = slot.v[k] * first.base();
@@ -144,7 +144,7 @@ public:
       const int chart = int(slot.chart[k]);
       scale_[k] = 1;
       if (chart >= 0) {
-        const Leaf_table::Place place = surface.chart_embedding(chart).leaves().find_place(i_[k], j_[k]);
+        const Leaf_table::Place place = charts[chart].leaves().find_place(i_[k], j_[k]);
         controls_[k] = place.controls;
         scale_[k] = place.scale;
         prefetch(place.controls);
@@ -219,12 +219,42 @@ private:
   std::array<Sums, row_size> sums_;
 };
 
-template <int D, int Order, int Width, class Surface, class Weights, class Result>
-void blend_batch(const Surface& surface, const Weights& weights, int n, Result* out)
+template <int Order>
+using Batch_result = std::conditional_t<Order == 0, Eigen::Vector3d, Jet>;
+
+template <int D, int Order, int Width>
+void blend_row_of_degree(const Hierarchical_embedding* charts, const Batch_slots<Order>& slots, int n,
+                         Batch_result<Order>* out)
 {
   Blend_rows<D, Order, Width> rows;
-  weights.for_each_slot([&](const auto& slot) { rows.add(surface, slot); });
+  for (int i = 0; i < slots.number_of_own; ++i) rows.add(charts, slots.own[i]);
+  for (int i = 0; i < slots.number_of_transported; ++i) rows.add(charts, slots.transported[i]);
   for (int k = 0; k < n; ++k) write_result<Order, Width>(rows[k], out[k]);
+}
+
+// Writes the first n results of a row. Knows neither the atlas nor the bump: this is most of the code of an
+// evaluation, and all surfaces of a program have it once.
+// \param charts  the embeddings of all charts
+template <int Order>
+void blend_row(const Hierarchical_embedding* charts, const Batch_slots<Order>& slots, int n,
+               Batch_result<Order>* out)
+{
+  call_with_widest_packs([&](auto width) {
+    constexpr int w = decltype(width)::value;
+    switch (charts[0].degree()) {
+    case 2:
+      blend_row_of_degree<2, Order, w>(charts, slots, n, out);
+      break;
+    case 3:
+      blend_row_of_degree<3, Order, w>(charts, slots, n, out);
+      break;
+    case 4:
+      blend_row_of_degree<4, Order, w>(charts, slots, n, out);
+      break;
+    default:
+      blend_row_of_degree<5, Order, w>(charts, slots, n, out);
+    }
+  });
 }
 
 // Whether `evaluate_batch()` can evaluate surfaces of a type.
@@ -246,33 +276,20 @@ bool has_batches(const Surface& surface)
 }
 
 // Evaluates n points. The result for a point does not depend on the others.
-// \tparam Order  0, then Result is Eigen::Vector3d; or 1 or 2, then it is Jet
-template <int Order, class Surface, class Point, class Result>
-void evaluate_batch(const Surface& surface, const Point* points, int n, Result* out)
+// \tparam Order  0, 1 or 2
+template <int Order, class Surface, class Point>
+void evaluate_batch(const Surface& surface, const Point* points, int n, Batch_result<Order>* out)
 {
   using Weights = Batch_weights<typename Surface::Atlas, typename Surface::Bump, Order>;
   Weights weights(surface.atlas(), surface.bump());
-  call_with_widest_packs([&](auto width) {
-    constexpr int w = decltype(width)::value;
-    for (int done = 0; done < n; done += row_size) {
-      const int m = (std::min)(n - done, row_size);
+  for (int done = 0; done < n; done += row_size) {
+    const int m = (std::min)(n - done, row_size);
+    call_with_widest_packs([&](auto) { // packs of any width
       for (int k = 0; k < row_size; ++k) weights.set(k, points[done + (std::min)(k, m - 1)]);
       weights.run();
-      switch (surface.chart_embedding(0).degree()) {
-      case 2:
-        blend_batch<2, Order, w>(surface, weights, m, out + done);
-        break;
-      case 3:
-        blend_batch<3, Order, w>(surface, weights, m, out + done);
-        break;
-      case 4:
-        blend_batch<4, Order, w>(surface, weights, m, out + done);
-        break;
-      default:
-        blend_batch<5, Order, w>(surface, weights, m, out + done);
-      }
-    }
-  });
+    });
+    blend_row<Order>(&surface.chart_embedding(0), weights.slots(), m, out + done);
+  }
 }
 
 } // namespace internal
