@@ -38,6 +38,7 @@
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
 #include <CGAL/Simple_manifolds/embedding/Bspline_basis.h>
+#include <CGAL/Simple_manifolds/embedding/Fit_options.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>

@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/embedding/Bspline_basis.h>
 #include <CGAL/Simple_manifolds/embedding/internal/evaluation/Leaf_table.h>
 #include <CGAL/Simple_manifolds/embedding/internal/evaluation/Tensor_sum.h>
+#include <CGAL/Simple_manifolds/internal/compiled.h>
 
 #include <CGAL/assertions.h>
 
@@ -88,12 +89,7 @@ public:
 
   /// The position.
   /// \pre `uv` is in the closed unit square
-  Eigen::Vector3d point(const Eigen::Vector2d& uv) const
-  {
-    CGAL_precondition(uv.minCoeff() >= 0 && uv.maxCoeff() <= 1);
-    const internal::Leaf_table::Leaf leaf = leaves_.find(uv.x(), uv.y());
-    return with_degree(degree_, [&](auto d) { return sum<decltype(d)::value, 0>(leaf).value; });
-  }
+  Eigen::Vector3d point(const Eigen::Vector2d& uv) const { return evaluate<0>(uv).value; }
 
   /// Position and derivatives; on the border of two leaves those of the upper one.
   /// \tparam Order  the highest order of derivatives that is computed, 1 or 2; others are zero
@@ -102,9 +98,7 @@ public:
   Jet jet(const Eigen::Vector2d& uv) const
   {
     static_assert(Order == 1 || Order == 2, "a jet has order 1 or 2");
-    CGAL_precondition(uv.minCoeff() >= 0 && uv.maxCoeff() <= 1);
-    const internal::Leaf_table::Leaf leaf = leaves_.find(uv.x(), uv.y());
-    return with_degree(degree_, [&](auto d) { return sum<decltype(d)::value, Order>(leaf); });
+    return evaluate<Order>(uv);
   }
 
   /// \cond
@@ -112,11 +106,8 @@ public:
   /// \endcond
 
 private:
-  template <int D, int Order>
-  static Jet sum(const internal::Leaf_table::Leaf& leaf)
-  {
-    return internal::tensor_jet<D, Order>(leaf.controls, D + 1, leaf.s, leaf.t, leaf.cells, leaf.cells);
-  }
+  template <int Order>
+  Jet evaluate(const Eigen::Vector2d& uv) const;
 
   bool is_valid(std::size_t k) const
   {
@@ -134,6 +125,25 @@ private:
   std::vector<Level> levels_;
   internal::Leaf_table leaves_;
 };
+
+template <int Order>
+Jet Hierarchical_embedding::evaluate(const Eigen::Vector2d& uv) const
+{
+  CGAL_precondition(uv.minCoeff() >= 0 && uv.maxCoeff() <= 1);
+  const internal::Leaf_table::Leaf leaf = leaves_.find(uv.x(), uv.y());
+  return with_degree(degree_, [&](auto d) {
+    constexpr int degree = decltype(d)::value;
+    return internal::tensor_jet<degree, Order>(leaf.controls, degree + 1, leaf.s, leaf.t, leaf.cells,
+                                               leaf.cells);
+  });
+}
+
+#ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Jet Hierarchical_embedding::evaluate<0>(const Eigen::Vector2d&) const;
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Jet Hierarchical_embedding::evaluate<1>(const Eigen::Vector2d&) const;
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Jet Hierarchical_embedding::evaluate<2>(const Eigen::Vector2d&) const;
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE void internal::Leaf_table::Builder<Hierarchical_embedding::Level>::run();
+#endif
 
 } // namespace Simple_manifolds
 } // namespace CGAL

@@ -101,6 +101,27 @@ void parallel_tasks(int count, const F& f)
   for (int k = 0; k < count; ++k) f(k);
 }
 
+// The same by a flag: what follows is compiled once, not once per tag.
+template <class F>
+void run_tasks(bool is_parallel, int count, const F& f)
+{
+  if (is_parallel)
+    parallel_tasks<Parallel_if_available_tag>(count, f);
+  else
+    parallel_tasks<Sequential_tag>(count, f);
+}
+
+// Whether a tag asks for threads.
+template <class ConcurrencyTag>
+constexpr bool is_parallel()
+{
+  constexpr bool result = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!result, "Parallel_tag needs TBB: link CGAL::TBB_support, or use Parallel_if_available_tag");
+#endif
+  return result;
+}
+
 } // namespace internal
 } // namespace Simple_manifolds
 } // namespace CGAL

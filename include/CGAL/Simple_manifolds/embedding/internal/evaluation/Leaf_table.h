@@ -109,22 +109,7 @@ private:
         for (int k = n; k > 0; --k) binomials_[std::size_t(k)] += binomials_[std::size_t(k) - 1];
     }
 
-    void run()
-    {
-      find_divided_cells();
-      const int base = levels_[0].cells;
-      const int deepest = depth();
-      while (t_.root_level_ < deepest && base << (t_.root_level_ + 1) <= root_limit) ++t_.root_level_;
-      t_.root_cells_ = base << t_.root_level_;
-      t_.table_.resize(std::size_t(t_.root_cells_) * t_.root_cells_);
-      const Table root = {t_.root_level_, 0, t_.root_cells_};
-      for (int i = 0; i < base; ++i)
-        for (int j = 0; j < base; ++j) {
-          Controls controls(t_.controls_per_leaf_);
-          add_active(0, i, j, controls);
-          visit(0, i, j, controls, root);
-        }
-    }
+    void run();
 
   private:
     using Controls = std::vector<Quad>; // (d+1) x (d+1)
@@ -267,6 +252,24 @@ private:
   std::vector<Entry> table_;
   std::vector<Quad> controls_;
 };
+
+template <class Level>
+void Leaf_table::Builder<Level>::run()
+{
+  find_divided_cells();
+  const int base = levels_[0].cells;
+  const int deepest = depth();
+  while (t_.root_level_ < deepest && base << (t_.root_level_ + 1) <= root_limit) ++t_.root_level_;
+  t_.root_cells_ = base << t_.root_level_;
+  t_.table_.resize(std::size_t(t_.root_cells_) * t_.root_cells_);
+  const Table root = {t_.root_level_, 0, t_.root_cells_};
+  for (int i = 0; i < base; ++i)
+    for (int j = 0; j < base; ++j) {
+      Controls controls(t_.controls_per_leaf_);
+      add_active(0, i, j, controls);
+      visit(0, i, j, controls, root);
+    }
+}
 
 } // namespace internal
 } // namespace Simple_manifolds

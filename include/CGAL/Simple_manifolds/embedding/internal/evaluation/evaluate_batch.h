@@ -15,6 +15,7 @@
 #include <CGAL/Simple_manifolds/embedding/internal/evaluation/Sphere_batch_weights.h>
 #include <CGAL/Simple_manifolds/embedding/internal/evaluation/Tensor_sum.h>
 #include <CGAL/Simple_manifolds/embedding/internal/evaluation/Torus_batch_weights.h>
+#include <CGAL/Simple_manifolds/internal/compiled.h>
 
 #include <Eigen/Core>
 
@@ -291,6 +292,15 @@ void evaluate_batch(const Surface& surface, const Point* points, int n, Batch_re
     blend_row<Order>(&surface.chart_embedding(0), weights.slots(), m, out + done);
   }
 }
+
+#ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE void blend_row<0>(const Hierarchical_embedding*, const Batch_slots<0>&, int,
+                                                    Batch_result<0>*);
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE void blend_row<1>(const Hierarchical_embedding*, const Batch_slots<1>&, int,
+                                                    Batch_result<1>*);
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE void blend_row<2>(const Hierarchical_embedding*, const Batch_slots<2>&, int,
+                                                    Batch_result<2>*);
+#endif
 
 } // namespace internal
 } // namespace Simple_manifolds

@@ -13,6 +13,7 @@
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/embedding/closest_point.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_fit.h>
+#include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
 
 #include <Eigen/Core>
@@ -44,12 +45,12 @@ public:
   }
 
   /// Measures E - M and fills in the errors of the report; b_c |E_c - M| too.
-  template <class ConcurrencyTag, class Fit>
-  void measure(const Fit& fit, Fit_report& report)
+  template <class Fit>
+  void measure(bool is_parallel, const Fit& fit, Fit_report& report)
   {
     errors_.assign(number_of_points(), -1); // of points that are not there
     std::vector<Sums> sums(number_of_pieces());
-    parallel_tasks<ConcurrencyTag>(number_of_pieces(), [&](int piece) {
+    run_tasks(is_parallel, number_of_pieces(), [&](int piece) {
       for_each_point(piece, [&](std::size_t k, const Domain_point& p, const Eigen::Vector3d& x, int) {
         Eigen::Vector3d e = -x;
         Sum& sum = sums[piece][partition_.atlas().tile(p)];
@@ -131,8 +132,9 @@ public:
   }
 
   /// Measures closest point distances, and the angles between normals inside of faces.
-  template <class ConcurrencyTag, class Surface, class Visitor>
-  void measure_surface(const Surface& surface, Fit_report& report, Visitor& visitor) const
+  template <class Surface>
+  void measure_surface(bool is_parallel, const Surface& surface, Fit_report& report,
+                       const Visitor_reference& visitor) const
   {
     constexpr int batch = 64; // pieces between reports to the visitor
     Sums distance{}, angle{};
@@ -140,7 +142,7 @@ public:
       visitor.progress(double(first) / number_of_pieces());
       const int count = (std::min)(batch, number_of_pieces() - first);
       std::vector<Sums> distances(count), angles(count);
-      parallel_tasks<ConcurrencyTag>(count, [&](int piece) {
+      run_tasks(is_parallel, count, [&](int piece) {
         for_each_point(first + piece,
                        [&](std::size_t, const Domain_point& p, const Eigen::Vector3d& x, int face) {
                          const int c = partition_.atlas().tile(p);

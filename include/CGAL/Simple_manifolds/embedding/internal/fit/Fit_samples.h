@@ -127,13 +127,12 @@ public:
   }
 
   /// 3 x 3 samples in every cell. What is made does not depend on the number of threads.
-  template <class ConcurrencyTag>
-  Fit_samples cells(const std::vector<Chart_cell>& cells) const
+  Fit_samples cells(bool is_parallel, const std::vector<Chart_cell>& cells) const
   {
     constexpr int piece = 64; // consecutive cells are near one another: the search starts from the last
     const int pieces = int((cells.size() + piece - 1) / piece);
     std::vector<Fit_samples> parts(pieces);
-    parallel_tasks<ConcurrencyTag>(pieces, [&](int k) {
+    run_tasks(is_parallel, pieces, [&](int k) {
       int face = -1;
       for (std::size_t c = std::size_t(k) * piece; c < cells.size() && c < std::size_t(k + 1) * piece; ++c)
         add_cell(cells[c], face, parts[k]);

@@ -25,16 +25,6 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-/// `parallel_tasks()` by a flag: what follows is compiled once, not once per tag.
-template <class F>
-void run_tasks(bool is_parallel, int count, const F& f)
-{
-  if (is_parallel)
-    parallel_tasks<Parallel_if_available_tag>(count, f);
-  else
-    parallel_tasks<Sequential_tag>(count, f);
-}
-
 /// The normal equations for the corrections of the splines of some charts.
 ///
 /// The matrix has a block per pair of charts (a,b): the sum over the samples that both see of

@@ -14,6 +14,7 @@
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Error_measurement.h>
+#include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
 #include <CGAL/Simple_manifolds/internal/require_extent.h>
 #include <CGAL/Simple_manifolds/paper/fit/Patch_fit_options.h>
@@ -88,10 +89,12 @@ public:
                                            [](const auto& chart) { return chart.tolerance_reached; });
     report.surface.tolerance_reached = report.tolerance_reached;
     Error_measurement<Map, Bump> errors(map_, partition_, false);
-    timed(seconds.measuring, [&] { errors.template measure<ConcurrencyTag>(stacks, report.surface); });
+    timed(seconds.measuring, [&] { errors.measure(is_parallel<ConcurrencyTag>(), stacks, report.surface); });
     Surface surface(std::move(stacks.charts), partition_.bump(), map_.atlas());
-    timed(seconds.closest_point,
-          [&] { errors.template measure_surface<ConcurrencyTag>(surface, report.surface, visitor); });
+    timed(seconds.closest_point, [&] {
+      errors.measure_surface(is_parallel<ConcurrencyTag>(), surface, report.surface,
+                             Visitor_reference(visitor));
+    });
     visitor.end_phase();
     seconds.total = std::chrono::duration<double>(Clock::now() - start).count();
     return surface;

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_FIT_OPTIONS_H
+#define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_FIT_OPTIONS_H
+
+#include <cstddef>
+#include <vector>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// Where a fit adds controls.
+enum class Refinement {
+  ADAPTIVE, ///< where the error is too large: hierarchical B-splines
+  UNIFORM   ///< everywhere: each step has twice as many cells per side in every chart
+};
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// When the charts are fitted together, with the blend inside the system, not one by one. Then only the
+/// blend is near the mesh: a chart for itself may be far from it near its border, where its blend vanishes.
+enum class Joint_solve {
+  AT_END, ///< charts alone until each is near the tolerance, then together: fast
+  ALWAYS, ///< together from the start: fewer controls for the same largest error, more time
+  NEVER   ///< alone: each chart is as good as it can be, their blend has a larger error
+};
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// Which points of a mesh a fit has to bring within the tolerance.
+enum class Marking {
+  ALL_POINTS, ///< the whole mesh, facets and creases included
+  VERTICES    ///< the vertices: far fewer controls where the tolerance is finer than the facets
+};
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// What a fit aims at.
+struct Fit_options {
+  double rms_error = 2e-3;           ///< tolerance of the root mean square, fraction of the diagonal
+  double max_error = 2e-2;           ///< tolerance of the maximum, fraction of the diagonal
+  int spline_degree = 3;             ///< 2 to 5
+  std::size_t max_controls = 200000; ///< limit of the controls of all charts together
+  Refinement refinement = Refinement::ADAPTIVE;  ///< where controls are added
+  Joint_solve joint_solve = Joint_solve::AT_END; ///< when charts are fitted together
+  Marking marking = Marking::ALL_POINTS;         ///< what is brought within the tolerance
+  /// Weight of the thin plate energy, the integral of |E_c''|^2 over the charts; that of the mean squared
+  /// error is 1. For noisy meshes; 0 is best for others.
+  double fairness = 0;
+  /// One weight per vertex of the map, finite, >= 0, relative to one another; empty: all equal. Samples inside of
+  /// faces are not weighted.
+  std::vector<double> vertex_weights;
+};
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_EMBEDDING_FIT_OPTIONS_H

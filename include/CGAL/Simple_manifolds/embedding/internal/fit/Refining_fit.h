@@ -1,0 +1,284 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_REFINING_FIT_H
+#define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_REFINING_FIT_H
+
+#include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
+#include <CGAL/Simple_manifolds/embedding/Fit_options.h>
+#include <CGAL/Simple_manifolds/embedding/Fit_report.h>
+#include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
+#include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Error_measurement.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_fit.h>
+#include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
+#include <CGAL/Simple_manifolds/internal/compiled.h>
+#include <CGAL/Simple_manifolds/internal/require_extent.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+/// The rounds of `Surface_fitter`: sample, solve, measure, refine. No template of tags and visitors, and `run()`
+/// is not inline, so that the compiled library has it.
+template <class Map, class Bump>
+class Refining_fit {
+public:
+  using Atlas = typename Map::Atlas;
+  using Surface = Manifold_surface<Atlas, Hierarchical_embedding, Bump>;
+
+  Refining_fit(const Map& map, const Fit_options& options, const Bump& bump, bool is_parallel)
+    : map_(map), options_(options), is_parallel_(is_parallel), partition_(bump, map.atlas()),
+      sampler_(map, partition_), errors_(map, partition_, options.marking == Marking::VERTICES)
+  {
+  }
+  Refining_fit(const Refining_fit&) = delete;
+  Refining_fit& operator=(const Refining_fit&) = delete;
+
+  Surface run(const Visitor_reference& visitor);
+  const Fit_report& report() const { return report_; }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  using Fit = Hierarchical_fit;
+  using Sampler = Surface_sampler<Map, Bump>;
+  static constexpr bool has_single_chart = Atlas::number_of_charts == 1;
+
+  static double seconds_since(Clock::time_point start)
+  {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+  template <class F>
+  static void timed(double& seconds, const F& f)
+  {
+    const Clock::time_point start = Clock::now();
+    f();
+    seconds += seconds_since(start);
+  }
+
+  Eigen::Vector3d centre() const
+  {
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    for (std::size_t v = 0; v < map_.number_of_vertices(); ++v)
+      x += map_.point(v) / double(map_.number_of_vertices());
+    return x;
+  }
+
+  bool only_vertices() const { return options_.marking == Marking::VERTICES; }
+
+  // Where charts alone are good enough. A largest error of 5 times the root mean square is usual; solving
+  // jointly makes the largest error two or three times smaller.
+  double bound() const
+  {
+    return (has_single_chart || options_.joint_solve == Joint_solve::NEVER ? 1 : 2) *
+           (std::min)(options_.max_error, 5 * options_.rms_error) * map_.diagonal();
+  }
+
+  // After many rounds nothing waits any more: then each of them adds many controls, and there are few left.
+  double bulk() { return ++rounds_ <= 40 ? usual_bulk : 0; }
+
+  void sample(Fit& fit)
+  {
+    timed(report_.seconds.sampling, [&] {
+      std::vector<typename Sampler::Chart_cell> cells;
+      for (const auto& [chart, cell] : fit.new_leaves())
+        cells.push_back({chart, cell, fit.splines()[chart].tree().side(cell.level)});
+      fit.add(sampler_.cells(is_parallel_, cells));
+    });
+  }
+
+  // Whether there was anything to refine.
+  bool refine(Fit& fit, std::vector<Mark> marks, std::vector<int>& changed, std::size_t limit)
+  {
+    timed(report_.seconds.refining, [&] { changed = fit.refine(std::move(marks), limit); });
+    if (changed.empty()) return false;
+    sample(fit);
+    return true;
+  }
+
+  void measure(const Fit& fit, const Visitor_reference& visitor)
+  {
+    timed(report_.seconds.measuring, [&] { errors_.measure(is_parallel_, fit, report_); });
+    report_.tolerance_reached = errors_.meets(options_.rms_error, options_.max_error);
+    show_progress(report_.max_error * map_.diagonal(), visitor);
+  }
+
+  // From the diagonal down to the bound, on a logarithmic scale.
+  void show_progress(double error, const Visitor_reference& visitor)
+  {
+    const double all = std::log((std::max)(bound() / map_.diagonal(), 1e-16));
+    const double now = std::log((std::max)(error / map_.diagonal(), 1e-16));
+    done_ = (std::max)(done_, (std::min)((std::max)(now / all, 0.), 1.));
+    visitor.progress(done_);
+  }
+
+  void solve_jointly(Fit& fit, const Visitor_reference& visitor)
+  {
+    timed(report_.seconds.solving_jointly, [&] { fit.solve_jointly(); });
+    measure(fit, visitor);
+  }
+
+  void solve_alone(Fit& fit, const std::vector<int>& charts, const Visitor_reference& visitor)
+  {
+    timed(report_.seconds.solving_alone, [&] { fit.solve_alone(charts); });
+    measure(fit, visitor);
+  }
+
+  void refine_everywhere(Fit& fit, const Visitor_reference& visitor)
+  {
+    const bool jointly = !has_single_chart && options_.joint_solve != Joint_solve::NEVER;
+    for (;;) {
+      if (jointly)
+        solve_jointly(fit, visitor);
+      else
+        solve_alone(fit, fit.all_charts(), visitor);
+      std::vector<Mark> marks;
+      std::size_t controls = 0;
+      for (int c = 0; c < Atlas::number_of_charts; ++c) {
+        const Cell_tree& tree = fit.splines()[c].tree();
+        const std::size_t finer = 2 * tree.side(tree.depth()) + options_.spline_degree;
+        controls += finer * finer;
+        for (int node = 0; node < tree.size(); ++node)
+          if (tree.is_leaf(node)) marks.push_back({c, tree.cell(node), tree.cell(node), 0});
+      }
+      std::vector<int> changed;
+      if (report_.tolerance_reached || controls > options_.max_controls ||
+          !refine(fit, std::move(marks), changed, options_.max_controls))
+        return;
+    }
+  }
+
+  void refine_where_needed(Fit& fit, const Visitor_reference& visitor)
+  {
+    if (options_.joint_solve != Joint_solve::ALWAYS || has_single_chart) refine_alone(fit, visitor);
+    std::vector<int> changed;
+    if (has_single_chart || options_.joint_solve == Joint_solve::NEVER) {
+      measure(fit, visitor);
+      while (!report_.tolerance_reached && refine(fit, joint_marks(fit), changed, options_.max_controls))
+        solve_alone(fit, changed, visitor);
+      return;
+    }
+    do solve_jointly(fit, visitor);
+    while (!report_.tolerance_reached && refine(fit, joint_marks(fit), changed, options_.max_controls));
+  }
+
+  // Until every chart is within the bound where it counts.
+  void refine_alone(Fit& fit, const Visitor_reference& visitor)
+  {
+    std::vector<int> changed = fit.all_charts();
+    std::vector<Mark> marks;
+    const bool is_last = has_single_chart || options_.joint_solve == Joint_solve::NEVER;
+    // the rest is placed by what the charts err together
+    const std::size_t limit = is_last ? options_.max_controls : options_.max_controls / 2;
+    do {
+      timed(report_.seconds.solving_alone, [&] { fit.solve_alone(changed); });
+      marks = fit.marks_alone(changed, bound(), bulk(), only_vertices());
+      double largest = bound();
+      for (const Mark& m : marks) largest = (std::max)(largest, m.error);
+      show_progress(largest, visitor);
+    } while (refine(fit, std::move(marks), changed, limit));
+  }
+
+  // Where the surface errs too much; if only the root mean square is too large, where it errs most.
+  std::vector<Mark> joint_marks(const Fit& fit)
+  {
+    std::vector<Mark> marks;
+    timed(report_.seconds.measuring, [&] {
+      const double limit = errors_.bound(options_.rms_error, options_.max_error, bulk());
+      marks = fit.marks_jointly(limit * map_.diagonal(), only_vertices());
+      if (!only_vertices()) // the vertices are samples
+        errors_.add_marks(fit, limit, marks);
+    });
+    return marks;
+  }
+
+  static std::vector<Hierarchical_embedding> embeddings(const Fit& fit)
+  {
+    std::vector<Hierarchical_embedding> charts;
+    for (const Chart_spline& spline : fit.splines()) {
+      const Hierarchical_space& space = spline.space();
+      std::vector<Hierarchical_embedding::Level> levels(space.number_of_levels());
+      for (int l = 0; l < space.number_of_levels(); ++l) {
+        levels[l].cells = spline.tree().side(l);
+        for (int f = space.begin(l); f < space.begin(l + 1); ++f) {
+          levels[l].indices.push_back(int(space.index(l, f)));
+          levels[l].coefficients.push_back(spline.coefficients()[f]);
+        }
+      }
+      charts.emplace_back(space.degree(), std::move(levels));
+    }
+    return charts;
+  }
+
+  const Map& map_;
+  Fit_options options_;
+  bool is_parallel_;
+  Partition_of_unity<Atlas, Bump> partition_;
+  Sampler sampler_;
+  Error_measurement<Map, Bump> errors_;
+  Fit_report report_;
+  int rounds_ = 0;  // of refinement
+  double done_ = 0; // share of the running phase
+};
+
+template <class Map, class Bump>
+typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Visitor_reference& visitor)
+{
+  require_extent(map_);
+  const Clock::time_point start = Clock::now();
+  report_ = Fit_report();
+  report_.rms_tolerance = options_.rms_error;
+  report_.max_tolerance = options_.max_error;
+  visitor.start_phase("fit");
+  done_ = 0;
+  rounds_ = 0;
+  Fit fit(options_.spline_degree, Atlas::number_of_charts, centre(), options_.fairness, is_parallel_);
+  timed(report_.seconds.sampling, [&] { fit.add(sampler_.vertices(options_.vertex_weights)); });
+  sample(fit);
+  if (options_.refinement == Refinement::UNIFORM)
+    refine_everywhere(fit, visitor);
+  else
+    refine_where_needed(fit, visitor);
+  visitor.end_phase();
+
+  visitor.start_phase("measure");
+  report_.bytes = fit.bytes();
+  Surface surface(embeddings(fit), partition_.bump(), map_.atlas());
+  timed(report_.seconds.closest_point,
+        [&] { errors_.measure_surface(is_parallel_, surface, report_, visitor); });
+  visitor.end_phase();
+  report_.seconds.total = seconds_since(start);
+  return surface;
+}
+
+#ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
+template <class Atlas>
+using Default_fit = Refining_fit<Manifold_map<Atlas>, Smoothstep_bump<2>>;
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Default_fit<Plane_atlas>::Surface
+Default_fit<Plane_atlas>::run(const Visitor_reference&);
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Default_fit<Sphere_atlas>::Surface
+Default_fit<Sphere_atlas>::run(const Visitor_reference&);
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Default_fit<Torus_atlas>::Surface
+Default_fit<Torus_atlas>::run(const Visitor_reference&);
+#endif
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_REFINING_FIT_H

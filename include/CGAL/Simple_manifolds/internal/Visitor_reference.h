@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_INTERNAL_VISITOR_REFERENCE_H
+#define CGAL_SIMPLE_MANIFOLDS_INTERNAL_VISITOR_REFERENCE_H
+
+#include <CGAL/Simple_manifolds/Visitor.h>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+// A visitor of any type behind one type, so that engines are compiled once and not for each type of visitor. It is
+// called rarely. The visitor must outlive it.
+class Visitor_reference {
+public:
+  template <class Visitor>
+  explicit Visitor_reference(Visitor& visitor)
+    : visitor_(&visitor),
+      start_phase_([](void* v, const char* name) { static_cast<Visitor*>(v)->start_phase(name); }),
+      progress_([](void* v, double fraction) { static_cast<Visitor*>(v)->progress(fraction); }),
+      end_phase_([](void* v) { static_cast<Visitor*>(v)->end_phase(); })
+  {
+  }
+
+  void start_phase(const char* name) const { start_phase_(visitor_, name); }
+  void progress(double fraction) const { progress_(visitor_, fraction); }
+  void end_phase() const { end_phase_(visitor_); }
+
+private:
+  void* visitor_;
+  void (*start_phase_)(void*, const char*);
+  void (*progress_)(void*, double);
+  void (*end_phase_)(void*);
+};
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_INTERNAL_VISITOR_REFERENCE_H

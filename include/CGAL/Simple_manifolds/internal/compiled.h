@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_INTERNAL_COMPILED_H
+#define CGAL_SIMPLE_MANIFOLDS_INTERNAL_COMPILED_H
+
+// The optional compiled library, target CGAL::Simple_manifolds_compiled, which defines
+// CGAL_SIMPLE_MANIFOLDS_COMPILED. Headers whose functions it has end with
+//
+//   #ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
+//   CGAL_SIMPLE_MANIFOLDS_INSTANTIATE <what the library has>;
+//   #endif
+//
+// In a user's unit this declares that the code is elsewhere, so that the compiler does not make it again; in the
+// library's source, src/Simple_manifolds.cpp, it makes it. Only functions that are not inline are left out by
+// compilers: their definitions stand outside of their classes.
+
+#if defined(CGAL_SIMPLE_MANIFOLDS_COMPILED) && !defined(CGAL_SIMPLE_MANIFOLDS_INSTANTIATE)
+#define CGAL_SIMPLE_MANIFOLDS_INSTANTIATE extern template
+#endif
+
+#endif // CGAL_SIMPLE_MANIFOLDS_INTERNAL_COMPILED_H
