@@ -1,10 +1,10 @@
 # What our tests, examples and benchmarks have in common.
 #
-#   simple_manifolds_program(<target> [NO_PCH])
+#   simple_manifolds_program(<target> [NO_PCH] [HEADER_ONLY])
 #
 # gives an existing target the library with all optional parts that were found, our warnings, and
 # floating point arithmetic that does not depend on the machine. It uses one precompiled header for all,
-# except with NO_PCH.
+# except with NO_PCH, and the compiled library if that is built, except with HEADER_ONLY.
 
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   find_program(SIMPLE_MANIFOLDS_CCACHE ccache)
@@ -54,6 +54,9 @@ if(NOT EXISTS "${pch_source}")
 endif()
 add_library(simple_manifolds_pch OBJECT EXCLUDE_FROM_ALL "${pch_source}")
 target_link_libraries(simple_manifolds_pch PRIVATE simple_manifolds_settings)
+if(TARGET CGAL::Simple_manifolds_compiled)
+  target_link_libraries(simple_manifolds_pch PRIVATE CGAL::Simple_manifolds_compiled)
+endif()
 target_precompile_headers(simple_manifolds_pch PRIVATE
   <CGAL/Exact_predicates_inexact_constructions_kernel.h>
   <CGAL/Surface_mesh.h>
@@ -65,9 +68,12 @@ target_precompile_headers(simple_manifolds_pch PRIVATE
   <vector>)
 
 function(simple_manifolds_program target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_PCH" "" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_PCH;HEADER_ONLY" "" "")
   target_link_libraries(${target} PRIVATE simple_manifolds_settings)
-  if(NOT arg_NO_PCH AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+  if(TARGET CGAL::Simple_manifolds_compiled AND NOT arg_HEADER_ONLY)
+    target_link_libraries(${target} PRIVATE CGAL::Simple_manifolds_compiled)
+  endif()
+  if(NOT arg_NO_PCH AND NOT arg_HEADER_ONLY AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
     target_precompile_headers(${target} REUSE_FROM simple_manifolds_pch)
   endif()
 endfunction()

@@ -31,7 +31,7 @@ function(headers_alone target root)
 
   add_executable(${target} ${sources} ${folder}/all.cpp)
   target_include_directories(${target} PRIVATE ${root})
-  simple_manifolds_program(${target} NO_PCH)
+  simple_manifolds_program(${target} NO_PCH HEADER_ONLY)
   # Only the compiler's judgement is wanted, so spend no time on good code.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O0>)
 endfunction()
