@@ -244,7 +244,7 @@ void measure_all(const std::string& name, const Mesh& mesh, const std::vector<do
                  std::size_t max_controls, Table& table)
 {
   // angles rather than areas: 15 to 30 % less error than with the default map
-  const SM::Any_map any = SM::map_to_canonical_surface<Tag>(
+  const auto any = SM::map_to_canonical_surface<Tag>(
     mesh, SM::parameters::energy(SM::Energy::AMIPS).energy_lambda(0.1).area_floor(0.02));
   std::visit(
     [&](const auto& map) {

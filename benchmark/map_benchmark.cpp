@@ -141,7 +141,7 @@ struct Setting {
   SM::Effort effort = SM::Effort::DEFAULT;
 };
 
-SM::Any_map map_mesh(const Mesh& mesh, const Setting& s, Phase_clock& phases)
+SM::Any_mesh_map<Mesh> map_mesh(const Mesh& mesh, const Setting& s, Phase_clock& phases)
 {
   const auto np =
     SM::parameters::energy(s.energy).energy_lambda(s.lambda).effort(s.effort).visitor(std::ref(phases));
@@ -170,7 +170,7 @@ void measure(const std::string& name, const Mesh& mesh, const Setting& s, Table&
   Phase_clock phases;
   const Memory_clock memory;
   const double wall = wall_seconds(), cpu = cpu_seconds();
-  const SM::Any_map any = map_mesh(mesh, s, phases);
+  const auto any = map_mesh(mesh, s, phases);
   r.wall = wall_seconds() - wall;
   r.cpu = cpu_seconds() - cpu;
   const double bytes = memory.bytes();

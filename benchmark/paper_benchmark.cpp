@@ -33,7 +33,7 @@ void row(const std::string& name, const Mesh& mesh, const char* method, const Ma
   const auto start = std::chrono::steady_clock::now();
   std::cout << name << ',' << num_faces(mesh) << ',' << method << ',';
   try {
-    const SM::Any_map any = make_map();
+    const auto any = make_map();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::visit(
       [&](const auto& map) {

@@ -192,7 +192,7 @@ void add_rows(const std::string& name, const Mesh& mesh, const std::filesystem::
 
   double seconds = 0;
   SM::Partition_report partition;
-  const SM::Any_map paper_map = timed(seconds, [&] {
+  const auto paper_map = timed(seconds, [&] {
     return SM::map_by_partition(mesh, SM::parameters::partition_report(std::ref(partition)));
   });
   paper.values["map_seconds"] = shown(seconds);
@@ -205,7 +205,7 @@ void add_rows(const std::string& name, const Mesh& mesh, const std::filesystem::
     paper_map);
 
   const SM::Map_options o = SM::map_options_for_fitting();
-  const SM::Any_map default_map = timed(seconds, [&] {
+  const auto default_map = timed(seconds, [&] {
     return SM::map_to_canonical_surface(
       mesh, SM::parameters::energy(o.energy).energy_lambda(o.lambda).area_floor(o.area_floor));
   });

@@ -344,7 +344,7 @@ int main(int argc, char** argv)
     SM::Atomic_folder folder(options.get<std::string>("output"));
     Progress progress(options.get<bool>("quiet"));
     SM::Partition_report partition;
-    const SM::Any_map any_map = watch.time("map", [&] {
+    const auto any_map = watch.time("map", [&] {
       if (is_paper(options)) return map_by_partition(options, input, partition, progress);
       const SM::Map_options o = SM::map_options_for_fitting();
       return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(

@@ -91,7 +91,7 @@ int main(int argc, char** argv)
     const std::vector<Mesh::Vertex_index> square_corners = corners(options, input);
     Progress progress(is_quiet);
     SM::Partition_report partition;
-    SM::Any_map any_map = watch.time("map", [&] {
+    SM::Any_mesh_map<Mesh> any_map = watch.time("map", [&] {
       if (is_paper(options)) return map_by_partition(options, input, partition, progress);
       return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
         input.mesh, SM::parameters::energy(is_amips ? SM::Energy::AMIPS : SM::Energy::SYMMETRIC_DIRICHLET)

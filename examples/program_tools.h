@@ -239,8 +239,8 @@ inline SM::Close_borders close_borders(const Command_line& options)
 inline bool is_paper(const Command_line& options) { return options.get<std::string>("method") == "paper"; }
 
 /// The map of --method paper.
-inline SM::Any_map map_by_partition(const Command_line& options, const Input& input,
-                                    SM::Partition_report& report, Progress& progress)
+inline SM::Any_mesh_map<Mesh> map_by_partition(const Command_line& options, const Input& input,
+                                               SM::Partition_report& report, Progress& progress)
 {
   return SM::map_by_partition(input.mesh, SM::parameters::partition_report(std::ref(report))
                                             .close_borders(close_borders(options))

@@ -78,7 +78,7 @@ void check_map(const Map& map, const Mesh& mesh)
 
 void map_and_check(const Mesh& mesh)
 {
-  const SM::Any_map map = SM::map_to_canonical_surface(mesh);
+  const auto map = SM::map_to_canonical_surface(mesh);
   std::visit([&](const auto& m) { check_map(m, mesh); }, map);
 }
 

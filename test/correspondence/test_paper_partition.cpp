@@ -120,11 +120,11 @@ bool is_same(const Map& a, const Map& b)
 
 // Maps a mesh by the paper's method, and checks what is promised of every map.
 template <class Atlas>
-Manifold_map<Atlas> mapped(const Mesh& mesh, Partition_report& report)
+Mesh_map<Mesh, Atlas> mapped(const Mesh& mesh, Partition_report& report)
 {
-  const Any_map any = map_by_partition(mesh, parameters::partition_report(std::ref(report)));
-  REQUIRE(std::holds_alternative<Manifold_map<Atlas>>(any));
-  const auto& map = std::get<Manifold_map<Atlas>>(any);
+  const auto any = map_by_partition(mesh, parameters::partition_report(std::ref(report)));
+  REQUIRE(std::holds_alternative<Mesh_map<Mesh, Atlas>>(any));
+  const auto& map = std::get<Mesh_map<Mesh, Atlas>>(any);
   CHECK(map.certificate().is_valid());
   REQUIRE(map.number_of_input_vertices() == num_vertices(mesh));
   for (const Vertex v : vertices(mesh))
@@ -357,7 +357,7 @@ TEST_CASE("Reprojection and centroids make the tiles equal", "[paper]")
 TEST_CASE("The weights are an option, results are reproducible, and other genera are refused", "[paper]")
 {
   const Mesh mesh = read("geosphere.off");
-  using Sphere_map = Manifold_map<Sphere_atlas>;
+  using Sphere_map = Mesh_map<Mesh, Sphere_atlas>;
   const auto map = [&](Projection_weights w) {
     return std::get<Sphere_map>(map_by_partition(mesh, parameters::projection_weights(w)));
   };

@@ -22,6 +22,14 @@ using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 
+// The mesh as the maps take it.
+template <class Graph>
+internal::Mesh_arrays arrays_of(const Graph& mesh)
+{
+  return internal::mesh_to_triangles(internal::Polygon_soup(mesh),
+                                     internal::points_of_mesh(mesh, get(CGAL::vertex_point, mesh)));
+}
+
 template <class Function>
 Error error_of(Function&& function)
 {
@@ -179,7 +187,7 @@ TEST_CASE("graphs with polygons, removed elements and isolated vertices")
   Mesh corner = cube();
   CGAL::Euler::remove_center_vertex(corner.halfedge(Mesh::Vertex_index(0)), corner); // removes vertex 0
   REQUIRE(corner.has_garbage());
-  const auto arrays = internal::mesh_to_triangles(corner, corner.points());
+  const auto arrays = arrays_of(corner);
   CHECK(arrays.points.size() == 7);
   CHECK(arrays.points[0] == Eigen::Vector3d(1, 0, 0)); // vertex 1 comes first now
   CHECK(arrays.triangles.size() == 10);
@@ -225,7 +233,7 @@ TEST_CASE("polygons are cut without doubling an edge")
     // an arrow head: the diagonal that gives the better triangles lies outside
     const Mesh arrow =
       mesh_of({Point(0, 10, 0), Point(-1, 0, 0), Point(0, 1, 0), Point(1, 0, 0)}, {{0, 1, 2, 3}});
-    const auto arrays = internal::mesh_to_triangles(arrow, arrow.points());
+    const auto arrays = arrays_of(arrow);
     REQUIRE(arrays.triangles.size() == 2);
     double area = 0;
     for (const Triangle& t : arrays.triangles) {
@@ -243,7 +251,7 @@ TEST_CASE("polygons are cut without doubling an edge")
     const Mesh mesh =
       mesh_of({Point(0, 0, .1), Point(0, 0, -.1), Point(1, 0, 0), Point(-1, 2, 0), Point(-1, -2, 0)},
               {{0, 2, 1, 3}, {0, 3, 1, 4}, {0, 4, 1, 2}});
-    const auto arrays = internal::mesh_to_triangles(mesh, mesh.points());
+    const auto arrays = arrays_of(mesh);
     CHECK(arrays.triangles.size() == 6);
     CHECK(topology(5, arrays.triangles).genus == 0);
     check_is_simplicial(arrays);
@@ -305,14 +313,14 @@ TEST_CASE("polygons are cut without doubling an edge")
     std::iota(face.begin(), face.end(), 0);
     for (int i : face) points.emplace_back(std::cos(i * 0.004), std::sin(i * 0.004), 0);
     const Mesh mesh = mesh_of(points, {face});
-    const Error error = error_of([&] { internal::mesh_to_triangles(mesh, mesh.points()); });
+    const Error error = error_of([&] { arrays_of(mesh); });
     CHECK(error.code() == Error_code::unsupported_face);
     CHECK(error.element().kind == Mesh_element::FACE);
   }
   SECTION("a quad cube is a closed surface")
   {
     const Mesh mesh = cube();
-    const auto arrays = internal::mesh_to_triangles(mesh, mesh.points());
+    const auto arrays = arrays_of(mesh);
     CHECK(arrays.triangles.size() == 12);
     CHECK(topology(8, arrays.triangles).genus == 0);
   }
@@ -322,9 +330,9 @@ TEST_CASE("coordinates are examined")
 {
   Mesh mesh = cube();
   mesh.add_vertex(Point(std::numeric_limits<double>::quiet_NaN(), 0, 0)); // isolated: does not matter
-  CHECK_NOTHROW(internal::mesh_to_triangles(mesh, mesh.points()));
+  CHECK_NOTHROW(arrays_of(mesh));
   mesh.point(Mesh::Vertex_index(5)) = Point(0, std::numeric_limits<double>::infinity(), 0);
-  const Error error = error_of([&] { internal::mesh_to_triangles(mesh, mesh.points()); });
+  const Error error = error_of([&] { arrays_of(mesh); });
   CHECK(error.code() == Error_code::non_finite_coordinate);
   CHECK(error.element().first == 5);
 }
@@ -335,7 +343,7 @@ TEMPLATE_TEST_CASE("real meshes", "", Mesh, Polyhedron)
   const auto read = [&](const char* name) {
     clear(mesh);
     REQUIRE(CGAL::IO::read_polygon_mesh(cgal_mesh(name), mesh));
-    const auto arrays = internal::mesh_to_triangles(mesh, get(CGAL::vertex_point, mesh));
+    const auto arrays = arrays_of(mesh);
     CHECK(arrays.triangles.size() == arrays.topology.faces);
     CHECK(arrays.points.size() == arrays.topology.vertices);
     CHECK(arrays.index.size() == num_vertices(mesh));

@@ -146,7 +146,7 @@ TEST_CASE("maps to whichever surface and by partition are cancelled at every ste
   for (const Triangle_mesh& t : {some_sphere(), some_torus(), some_disk()}) {
     Watched_mesh<Eigen::Vector2d> watched(t);
     const auto is_unchanged = [&] { return watched.is_unchanged(); };
-    const SM::Any_map map = SM::map_to_canonical_surface(watched.mesh);
+    const auto map = SM::map_to_canonical_surface(watched.mesh);
     cancel_at_every_step(
       [&](Impatient_visitor& visitor) {
         const auto np = CGAL::parameters::visitor(std::ref(visitor));
@@ -154,7 +154,7 @@ TEST_CASE("maps to whichever surface and by partition are cancelled at every ste
         CHECK(same(map, again));
       },
       is_unchanged, 10);
-    const SM::Any_map partitioned = SM::map_by_partition(watched.mesh);
+    const auto partitioned = SM::map_by_partition(watched.mesh);
     cancel_at_every_step(
       [&](Impatient_visitor& visitor) {
         const auto again = SM::map_by_partition(watched.mesh, CGAL::parameters::visitor(std::ref(visitor)));

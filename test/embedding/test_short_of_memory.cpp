@@ -59,8 +59,8 @@ TEST_CASE("where memory ends in a mapper, that is an exception, and the mesh sta
 
 TEST_CASE("where memory ends in a function of a map, that is an exception, and the map stays as it is")
 {
-  const SM::Any_map sphere = SM::map_to_canonical_surface(mesh_of(some_sphere()));
-  const auto& map = std::get<SM::Manifold_map<SM::Sphere_atlas>>(sphere);
+  const auto sphere = SM::map_to_canonical_surface(mesh_of(some_sphere()));
+  const auto& map = std::get<SM::Mesh_map<Mesh, SM::Sphere_atlas>>(sphere);
   const auto copy = map;
   const auto is_unchanged = [&] { return same(map, copy); };
   fail_at_many_allocations([&] { return SM::balance(map); }, is_unchanged);

@@ -71,7 +71,8 @@ bool same(const SM::Manifold_map<Atlas>& a, const SM::Manifold_map<Atlas>& b)
   return a.points() == b.points() && a.domain_points() == b.domain_points() && a.faces() == b.faces();
 }
 
-inline bool same(const SM::Any_map& a, const SM::Any_map& b)
+template <class... Maps>
+bool same(const std::variant<Maps...>& a, const std::variant<Maps...>& b)
 {
   return a.index() == b.index() &&
          std::visit([&b](const auto& map) { return same(map, std::get<std::decay_t<decltype(map)>>(b)); }, a);

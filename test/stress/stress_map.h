@@ -61,7 +61,7 @@ inline Figures map_and_check(const Triangle_mesh& t, SM::Energy energy = SM::Ene
     if (!is_so) throw std::logic_error(what);
   };
   Figures figures;
-  const SM::Any_map any = SM::map_to_canonical_surface(surface_mesh(t), SM::parameters::energy(energy));
+  const auto any = SM::map_to_canonical_surface(surface_mesh(t), SM::parameters::energy(energy));
   std::visit(
     [&](const auto& map) {
       using Map = std::decay_t<decltype(map)>;

@@ -39,6 +39,7 @@ enum class Error_code {
   non_finite_coordinate,    ///< NaN or infinity among the coordinates
   zero_extent,              ///< all vertices coincide: lengths relative to the diagonal have no meaning
   extent_out_of_range,      ///< the coordinates are too large or too small for squares of areas
+  element_not_mapped,       ///< a vertex or a face that a map knows nothing of
   map_not_bijective,        ///< the certificate of a map fails
   numeric_failure,          ///< a linear solver or an iteration failed
   partition_failed,         ///< a step of the paper's partition of a mesh found no way

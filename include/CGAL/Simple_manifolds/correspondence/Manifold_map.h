@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/Input_indices.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/location/Point_locator.h>
@@ -40,6 +41,10 @@ namespace Simple_manifolds {
 /// vertex has a domain point, the faces are filled in by radial (sphere) or linear interpolation. Every
 /// object of this class is one to one: the constructor proves it.
 ///
+/// It consists of arrays: vertices and faces are named by their positions there, integers of any type. These are
+/// not those of a mesh that has vertices of no face, or removed ones, or polygons; `input_vertex()` and
+/// `input_face()` tell. A map of a mesh is a `Mesh_map`, which takes the descriptors of the mesh as well.
+///
 /// Immutable; all members are thread safe.
 ///
 /// \tparam Atlas_  `Sphere_atlas`, `Torus_atlas` or `Plane_atlas`
@@ -62,18 +67,20 @@ public:
   /// \param number_of_input_vertices  the vertices from here on were added: on edges of an input mesh, or to close
   ///   its borders
   /// \param number_of_virtual_faces  the last faces close borders of an input mesh, see `Close_borders`
+  /// \param input  where the vertices and faces come from
   /// \pre `points.size() == domain_points.size()`, `number_of_input_vertices <= points.size()`,
-  ///   `number_of_virtual_faces <= faces.size()`
+  ///   `number_of_virtual_faces <= faces.size()`, `input` suits these numbers
   /// \throw Topology_error  when the mesh is no surface of the domain's genus and border
   /// \throw Geometry_error  `non_finite_coordinate` for a vertex in space
   /// \throw Numeric_error  `map_not_bijective`, with the sentence of the certificate and the first bad face
   Manifold_map(std::vector<Eigen::Vector3d> points, std::vector<Triangle> faces,
                std::vector<Domain_point> domain_points, std::size_t number_of_input_vertices,
-               std::size_t number_of_virtual_faces = 0)
+               std::size_t number_of_virtual_faces = 0, Input_indices input = Input_indices())
     : points_(std::move(points)), faces_(std::move(faces)), domain_points_(std::move(domain_points)),
       number_of_input_vertices_(number_of_input_vertices), number_of_virtual_faces_(number_of_virtual_faces),
-      locator_(certified_locator())
+      input_(std::move(input).compact()), locator_(certified_locator())
   {
+    CGAL_precondition(input_.suits(number_of_input_vertices_, faces_.size() - number_of_virtual_faces_));
     measure();
   }
 
@@ -92,36 +99,37 @@ public:
   std::size_t number_of_virtual_faces() const { return number_of_virtual_faces_; }
   /// Whether the face closes a border and is no part of the mesh, see `Close_borders`.
   /// \pre `f < number_of_faces()`
-  bool is_virtual(std::size_t f) const
+  template <class Position>
+  bool is_virtual(Position f) const
   {
-    CGAL_precondition(f < faces_.size());
-    return f + number_of_virtual_faces_ >= faces_.size();
+    return checked(f, faces_.size()) + number_of_virtual_faces_ >= faces_.size();
   }
   /// Whether all faces of the vertex are virtual.
   /// \pre `v < number_of_vertices()`
-  bool is_virtual_vertex(std::size_t v) const
+  template <class Position>
+  bool is_virtual_vertex(Position v) const
   {
-    CGAL_precondition(v < points_.size());
-    return std::binary_search(virtual_vertices_.begin(), virtual_vertices_.end(), static_cast<int>(v));
+    return std::binary_search(virtual_vertices_.begin(), virtual_vertices_.end(),
+                              static_cast<int>(checked(v, points_.size())));
   }
 
   /// \pre `v < number_of_vertices()`
-  const Eigen::Vector3d& point(std::size_t v) const
+  template <class Position>
+  const Eigen::Vector3d& point(Position v) const
   {
-    CGAL_precondition(v < points_.size());
-    return points_[v];
+    return points_[checked(v, points_.size())];
   }
   /// \pre `f < number_of_faces()`
-  const Triangle& face(std::size_t f) const
+  template <class Position>
+  const Triangle& face(Position f) const
   {
-    CGAL_precondition(f < faces_.size());
-    return faces_[f];
+    return faces_[checked(f, faces_.size())];
   }
   /// \pre `v < number_of_vertices()`
-  const Domain_point& domain_point(std::size_t v) const
+  template <class Position>
+  const Domain_point& domain_point(Position v) const
   {
-    CGAL_precondition(v < domain_points_.size());
-    return domain_points_[v];
+    return domain_points_[checked(v, points_.size())];
   }
 
   /// The positions of the vertices.
@@ -134,11 +142,34 @@ public:
   /// The default chart of a face: the chart that contains the whole face and whose centre is nearest to
   /// the face's centroid in the domain, or -1 where none does.
   /// \pre `f < number_of_faces()`
-  int chart(std::size_t f) const
+  template <class Position>
+  int chart(Position f) const
   {
     const Triangle& t = face(f);
     return internal::default_chart(atlas_, domain_points_[t[0]], domain_points_[t[1]], domain_points_[t[2]]);
   }
+
+  /// The number of the vertex in the input: a mesh in its iteration order, arrays, or a file; -1 for added ones.
+  /// \pre `v < number_of_vertices()`
+  template <class Position>
+  int input_vertex(Position v) const
+  {
+    const std::size_t i = checked(v, points_.size());
+    if (i >= number_of_input_vertices_) return -1;
+    return input_.vertices.empty() ? static_cast<int>(i) : input_.vertices[i];
+  }
+  /// The number of the input face that the face is a part of, -1 for virtual ones. What was read from a file
+  /// knows no input but the file: then it is `f`.
+  /// \pre `f < number_of_faces()`
+  template <class Position>
+  int input_face(Position f) const
+  {
+    const std::size_t i = checked(f, faces_.size());
+    if (is_virtual(i)) return -1;
+    return input_.faces.empty() ? static_cast<int>(i) : input_.faces[i];
+  }
+  /// Both as arrays.
+  const Input_indices& input_indices() const { return input_; }
   /// @}
 
   /// \name From the mesh to the domain and back
@@ -215,6 +246,18 @@ public:
   /// @}
 
 private:
+  // Descriptors of meshes convert to integers, but not to positions.
+  template <class Position>
+  static std::size_t checked(Position i, [[maybe_unused]] std::size_t size)
+  {
+    static_assert(
+      std::is_integral_v<Position>,
+      "a Manifold_map takes positions in its arrays; descriptors of the mesh are for the Mesh_map that "
+      "map_to_sphere(mesh) and the others return");
+    CGAL_precondition(static_cast<std::size_t>(i) < size);
+    return static_cast<std::size_t>(i);
+  }
+
   internal::Point_locator<Atlas> certified_locator()
   {
     CGAL_precondition(points_.size() == domain_points_.size());
@@ -308,6 +351,7 @@ private:
   std::vector<Triangle> faces_;
   std::vector<Domain_point> domain_points_;
   std::size_t number_of_input_vertices_, number_of_virtual_faces_;
+  Input_indices input_;
   Certificate certificate_;
   internal::Point_locator<Atlas> locator_; // after the members that it is made from
   std::vector<int> virtual_vertices_;      // sorted

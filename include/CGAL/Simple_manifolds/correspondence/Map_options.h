@@ -53,7 +53,8 @@ template <class VertexDescriptor, class DomainPoint>
 struct Landmark {
   VertexDescriptor vertex; ///< of the mesh, in a face
   DomainPoint point;       ///< of the canonical surface
-  double weight = 1; ///< finite, >= 0; 1 counts a squared distance like ten times the distortion of the whole map
+  double weight =
+    1; ///< finite, >= 0; 1 counts a squared distance like ten times the distortion of the whole map
 };
 
 /// \ingroup PkgSimpleManifoldsCorrespondence

@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
+#include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Star_repair.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/sphere_balance.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/torus_balance.h>
@@ -109,8 +110,18 @@ Manifold_map<Atlas> balance(const Manifold_map<Atlas>& map,
       internal::balanced_points(map, [&](double fraction) { visitor.progress(fraction); });
     visitor.end_phase();
     return Manifold_map<Atlas>(map.points(), map.faces(), std::move(points), map.number_of_input_vertices(),
-                               map.number_of_virtual_faces());
+                               map.number_of_virtual_faces(), map.input_indices());
   }
+}
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The same for the map of a mesh, which it stays.
+template <class FaceListGraph, class Atlas, class NamedParameters = parameters::Default_named_parameters>
+Mesh_map<FaceListGraph, Atlas> balance(const Mesh_map<FaceListGraph, Atlas>& map,
+                                       const NamedParameters& np = parameters::default_values())
+{
+  return map.with(balance(static_cast<const Manifold_map<Atlas>&>(map), np));
 }
 
 } // namespace Simple_manifolds

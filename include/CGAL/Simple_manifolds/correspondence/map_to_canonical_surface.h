@@ -14,6 +14,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <memory>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -31,6 +33,43 @@ using Any_map =
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
 ///
+/// The same for a mesh: each alternative is an `Any_map`, too.
+template <class FaceListGraph>
+using Any_mesh_map = std::variant<Mesh_map<FaceListGraph, Plane_atlas>, Mesh_map<FaceListGraph, Sphere_atlas>,
+                                  Mesh_map<FaceListGraph, Torus_atlas>>;
+
+namespace internal {
+
+// vertex: the numbers of the vertices by which the parameters name them.
+template <class ConcurrencyTag, class Vertices, class NamedParameters>
+Any_map map_arrays_to_canonical_surface(const Vertices& vertex, Mesh_arrays arrays, const NamedParameters& np)
+{
+  const std::vector<int> corners = corners_of(vertex, arrays, np);
+  if (!arrays.topology.is_closed()) return map_to_plane<ConcurrencyTag>(std::move(arrays), {}, corners, np);
+  CGAL_precondition_msg(corners.empty(), "a closed mesh has no corners");
+  if (arrays.topology.genus == 0) return map_to_sphere<ConcurrencyTag>(arrays, {}, np);
+  if (arrays.topology.is_connected() && arrays.topology.genus > 1)
+    throw Topology_error(Error_code::wrong_genus,
+                         arrays.topology.sentence() + ": only genus 0 and 1 have a canonical surface");
+  return map_to_torus<ConcurrencyTag>(arrays, {}, np);
+}
+
+// The map as one of the mesh whose elements were numbered.
+template <class FaceListGraph>
+Any_mesh_map<FaceListGraph> with_mesh(Any_map any_map,
+                                      const std::shared_ptr<const Mesh_elements<FaceListGraph>>& elements)
+{
+  return std::visit(
+    [&](auto& map) -> Any_mesh_map<FaceListGraph> {
+      return Mesh_map<FaceListGraph, typename std::decay_t<decltype(map)>::Atlas>(std::move(map), elements);
+    },
+    any_map);
+}
+
+} // namespace internal
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
 /// Maps a mesh to the canonical surface of its genus: a disk to the square, a closed mesh of genus 0 to the
 /// sphere, of genus 1 to the flat torus.
 ///
@@ -40,20 +79,29 @@ using Any_map =
 /// \pre `corners` are given for a disk only
 /// \throw Topology_error  also for a connected mesh that is none of the three, saying what it is
 template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
-          class NamedParameters = parameters::Default_named_parameters>
-Any_map map_to_canonical_surface(const FaceListGraph& mesh,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!internal::is_range<NamedParameters>, int> = 0>
+Any_mesh_map<FaceListGraph> map_to_canonical_surface(const FaceListGraph& mesh,
+                                                     const NamedParameters& np = parameters::default_values())
+{
+  auto [elements, arrays] = internal::numbered_mesh(mesh, np);
+  return internal::with_mesh(
+    internal::map_arrays_to_canonical_surface<ConcurrencyTag>(elements->vertex, std::move(arrays), np),
+    elements);
+}
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The same for indexed triangles; see `map_to_sphere()` for these.
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class TriangleRange,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<internal::is_range<TriangleRange>, int> = 0>
+Any_map map_to_canonical_surface(const PointRange& points, const TriangleRange& triangles,
                                  const NamedParameters& np = parameters::default_values())
 {
-  internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
-  const std::vector<int> corners = internal::corners_of(mesh, arrays, np);
-  if (!arrays.topology.is_closed())
-    return internal::map_to_plane<ConcurrencyTag>(std::move(arrays), {}, corners, np);
-  CGAL_precondition_msg(corners.empty(), "a closed mesh has no corners");
-  if (arrays.topology.genus == 0) return internal::map_to_sphere<ConcurrencyTag>(arrays, {}, np);
-  if (arrays.topology.is_connected() && arrays.topology.genus > 1)
-    throw Topology_error(Error_code::wrong_genus,
-                         arrays.topology.sentence() + ": only genus 0 and 1 have a canonical surface");
-  return internal::map_to_torus<ConcurrencyTag>(arrays, {}, np);
+  internal::Mesh_arrays arrays = internal::arrays_of_ranges(points, triangles, np);
+  const internal::Positions vertex(arrays.index.size());
+  return internal::map_arrays_to_canonical_surface<ConcurrencyTag>(vertex, std::move(arrays), np);
 }
 
 } // namespace Simple_manifolds

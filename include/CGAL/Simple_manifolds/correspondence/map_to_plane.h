@@ -20,13 +20,13 @@ namespace Simple_manifolds {
 namespace internal {
 
 // The corners among the named parameters, as indices of the arrays; none: they are to be chosen.
-template <class FaceListGraph, class NamedParameters>
-std::vector<int> corners_of(const FaceListGraph& mesh, const Mesh_arrays& a, const NamedParameters& np)
+template <class Vertices, class NamedParameters>
+std::vector<int> corners_of(const Vertices& vertex, const Mesh_arrays& a, const NamedParameters& np)
 {
   if constexpr (CGAL::parameters::is_default_parameter<NamedParameters, internal_np::corners_t>::value)
     return {};
   else
-    return indices_of(mesh, a, CGAL::parameters::get_parameter_reference(np, internal_np::corners));
+    return indices_of(vertex, a, CGAL::parameters::get_parameter_reference(np, internal_np::corners));
 }
 
 // corners: four vertices of the border in counterclockwise order, or none.
@@ -38,6 +38,9 @@ Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
   require_disk(a.topology);
   Plane_border disk(std::move(a.points), std::move(a.triangles), corners);
   const std::vector<unsigned char> disk_sides = disk.sides();
+  std::vector<int> parents = disk.parents();
+  parents.resize(parents.size() - a.number_of_virtual_faces); // inside of the disk, and never split
+  const Input_indices input = a.input.of_parts(std::move(parents));
   const int n = static_cast<int>(disk.points().size()), m = static_cast<int>(disk.triangles().size());
   const auto [points, triangles] = std::move(disk).closed();
   Layout_problem<Eigen::Vector2d> problem{points, triangles, n, std::move(a.vertex_weight), landmarks};
@@ -63,8 +66,21 @@ Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
     [&, &points = points, &triangles = triangles](std::vector<Eigen::Vector2d>&& domain_points) {
       return Manifold_map<Plane_atlas>({points.begin(), points.begin() + n},
                                        {triangles.begin(), triangles.begin() + m}, std::move(domain_points),
-                                       a.number_of_input_vertices, a.number_of_virtual_faces);
+                                       a.number_of_input_vertices, a.number_of_virtual_faces, input);
     });
+}
+
+// vertex: the numbers of the vertices by which the parameters name them.
+template <class ConcurrencyTag, class Vertices, class NamedParameters>
+Manifold_map<Plane_atlas> map_arrays_to_plane(const Vertices& vertex, Mesh_arrays a,
+                                              const NamedParameters& np)
+{
+  const std::vector<int> corners = corners_of(vertex, a, np);
+  const auto landmarks = landmarks_of<Eigen::Vector2d>(vertex, a, np);
+  const std::vector<int> index = std::move(a.index);
+  Manifold_map<Plane_atlas> map = map_to_plane<ConcurrencyTag>(std::move(a), landmarks, corners, np);
+  write_domain_points(vertex, index, map, np);
+  return map;
 }
 
 } // namespace internal
@@ -85,18 +101,28 @@ Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
 ///
 /// \copydetails map_to_sphere()
 template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
-          class NamedParameters = parameters::Default_named_parameters>
-Manifold_map<Plane_atlas> map_to_plane(const FaceListGraph& mesh,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!internal::is_range<NamedParameters>, int> = 0>
+Mesh_map<FaceListGraph, Plane_atlas> map_to_plane(const FaceListGraph& mesh,
+                                                  const NamedParameters& np = parameters::default_values())
+{
+  auto [elements, arrays] = internal::numbered_mesh(mesh, np);
+  return {internal::map_arrays_to_plane<ConcurrencyTag>(elements->vertex, std::move(arrays), np), elements};
+}
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The same for indexed triangles; see `map_to_sphere()` for these. Landmarks have points of type `Eigen::Vector2d`,
+/// `corners` is a range of four positions.
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class TriangleRange,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<internal::is_range<TriangleRange>, int> = 0>
+Manifold_map<Plane_atlas> map_to_plane(const PointRange& points, const TriangleRange& triangles,
                                        const NamedParameters& np = parameters::default_values())
 {
-  internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
-  const std::vector<int> corners = internal::corners_of(mesh, arrays, np);
-  const auto landmarks = internal::landmarks_of<Eigen::Vector2d>(mesh, arrays, np);
-  const std::vector<int> index = std::move(arrays.index);
-  Manifold_map<Plane_atlas> map =
-    internal::map_to_plane<ConcurrencyTag>(std::move(arrays), landmarks, corners, np);
-  internal::write_domain_points(mesh, index, map, np);
-  return map;
+  internal::Mesh_arrays arrays = internal::arrays_of_ranges(points, triangles, np);
+  const internal::Positions vertex(arrays.index.size());
+  return internal::map_arrays_to_plane<ConcurrencyTag>(vertex, std::move(arrays), np);
 }
 
 } // namespace Simple_manifolds

@@ -35,8 +35,19 @@ Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
     },
     [&](std::vector<Eigen::Vector3d>&& domain_points) {
       return Manifold_map<Sphere_atlas>(a.points, a.triangles, std::move(domain_points),
-                                        a.number_of_input_vertices, a.number_of_virtual_faces);
+                                        a.number_of_input_vertices, a.number_of_virtual_faces, a.input);
     });
+}
+
+// vertex: the numbers of the vertices by which the parameters name them.
+template <class ConcurrencyTag, class Vertices, class NamedParameters>
+Manifold_map<Sphere_atlas> map_arrays_to_sphere(const Vertices& vertex, const Mesh_arrays& a,
+                                                const NamedParameters& np)
+{
+  Manifold_map<Sphere_atlas> map =
+    map_to_sphere<ConcurrencyTag>(a, landmarks_of<Eigen::Vector3d>(vertex, a, np), np);
+  write_domain_points(vertex, a.index, map, np);
+  return map;
 }
 
 } // namespace internal
@@ -83,15 +94,36 @@ Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
 ///
 /// Grimm 2002, section 5, asks for such a map; the method is a coarse-to-fine embedding in star kernels.
 template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
-          class NamedParameters = parameters::Default_named_parameters>
-Manifold_map<Sphere_atlas> map_to_sphere(const FaceListGraph& mesh,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!internal::is_range<NamedParameters>, int> = 0>
+Mesh_map<FaceListGraph, Sphere_atlas> map_to_sphere(const FaceListGraph& mesh,
+                                                    const NamedParameters& np = parameters::default_values())
+{
+  const auto [elements, arrays] = internal::numbered_mesh(mesh, np);
+  return {internal::map_arrays_to_sphere<ConcurrencyTag>(elements->vertex, arrays, np), elements};
+}
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The same for indexed triangles, where no mesh is at hand.
+///
+/// \tparam PointRange  a range of points of a kernel, Eigen's vectors or arrays of three numbers
+/// \tparam TriangleRange  a range of containers of three integers, e.g. `Triangle` or `Eigen::Vector3i`
+/// \param points  points of no triangle are left out
+/// \param triangles  positions in `points`, counterclockwise
+/// \param np  as for a mesh, but for `vertex_point_map`; vertices are positions in `points`: the keys of property maps
+///   are of type `std::size_t`, landmarks are of type `Landmark<std::size_t, Eigen::Vector3d>`
+/// \return the map; `Manifold_map::input_vertex()` tells the positions in `points`
+/// \throw Topology_error  also `unsupported_face`: a triangle has not three corners; `degenerate_face`: a position is
+///   none of a point
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class TriangleRange,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<internal::is_range<TriangleRange>, int> = 0>
+Manifold_map<Sphere_atlas> map_to_sphere(const PointRange& points, const TriangleRange& triangles,
                                          const NamedParameters& np = parameters::default_values())
 {
-  const internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
-  Manifold_map<Sphere_atlas> map = internal::map_to_sphere<ConcurrencyTag>(
-    arrays, internal::landmarks_of<Eigen::Vector3d>(mesh, arrays, np), np);
-  internal::write_domain_points(mesh, arrays.index, map, np);
-  return map;
+  const internal::Mesh_arrays arrays = internal::arrays_of_ranges(points, triangles, np);
+  return internal::map_arrays_to_sphere<ConcurrencyTag>(internal::Positions(arrays.index.size()), arrays, np);
 }
 
 } // namespace Simple_manifolds

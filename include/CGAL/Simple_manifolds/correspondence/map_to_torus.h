@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -53,13 +54,26 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a,
       auto& [domain_points, faces] = placed;
       if (faces.empty())
         return Manifold_map<Torus_atlas>(a.points, a.triangles, std::move(domain_points),
-                                         a.number_of_input_vertices, a.number_of_virtual_faces);
+                                         a.number_of_input_vertices, a.number_of_virtual_faces, a.input);
       std::vector<Eigen::Vector3d> points = a.points;
       std::size_t number_of_virtual_faces = a.number_of_virtual_faces;
-      split_long_edges(faces, points, domain_points, number_of_virtual_faces);
+      std::vector<int> parents = split_long_edges(faces, points, domain_points, number_of_virtual_faces);
+      parents.resize(faces.size() - number_of_virtual_faces);
       return Manifold_map<Torus_atlas>(std::move(points), triangles_of(faces), std::move(domain_points),
-                                       a.number_of_input_vertices, number_of_virtual_faces);
+                                       a.number_of_input_vertices, number_of_virtual_faces,
+                                       a.input.of_parts(std::move(parents)));
     });
+}
+
+// vertex: the numbers of the vertices by which the parameters name them.
+template <class ConcurrencyTag, class Vertices, class NamedParameters>
+Manifold_map<Torus_atlas> map_arrays_to_torus(const Vertices& vertex, const Mesh_arrays& a,
+                                              const NamedParameters& np)
+{
+  Manifold_map<Torus_atlas> map =
+    map_to_torus<ConcurrencyTag>(a, landmarks_of<Eigen::Vector2d>(vertex, a, np), np);
+  write_domain_points(vertex, a.index, map, np);
+  return map;
 }
 
 } // namespace internal
@@ -75,15 +89,26 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a,
 ///
 /// \copydetails map_to_sphere()
 template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
-          class NamedParameters = parameters::Default_named_parameters>
-Manifold_map<Torus_atlas> map_to_torus(const FaceListGraph& mesh,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!internal::is_range<NamedParameters>, int> = 0>
+Mesh_map<FaceListGraph, Torus_atlas> map_to_torus(const FaceListGraph& mesh,
+                                                  const NamedParameters& np = parameters::default_values())
+{
+  const auto [elements, arrays] = internal::numbered_mesh(mesh, np);
+  return {internal::map_arrays_to_torus<ConcurrencyTag>(elements->vertex, arrays, np), elements};
+}
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The same for indexed triangles; see `map_to_sphere()` for these. Landmarks have points of type `Eigen::Vector2d`.
+template <class ConcurrencyTag = Sequential_tag, class PointRange, class TriangleRange,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<internal::is_range<TriangleRange>, int> = 0>
+Manifold_map<Torus_atlas> map_to_torus(const PointRange& points, const TriangleRange& triangles,
                                        const NamedParameters& np = parameters::default_values())
 {
-  const internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
-  Manifold_map<Torus_atlas> map = internal::map_to_torus<ConcurrencyTag>(
-    arrays, internal::landmarks_of<Eigen::Vector2d>(mesh, arrays, np), np);
-  internal::write_domain_points(mesh, arrays.index, map, np);
-  return map;
+  const internal::Mesh_arrays arrays = internal::arrays_of_ranges(points, triangles, np);
+  return internal::map_arrays_to_torus<ConcurrencyTag>(internal::Positions(arrays.index.size()), arrays, np);
 }
 
 } // namespace Simple_manifolds

@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
+#include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Star_repair.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/Splittable_mesh.h>
 #include <CGAL/Simple_manifolds/parameters.h>
@@ -84,14 +85,22 @@ public:
   const std::vector<Point>& domain_points() const { return domain_points_; }
 
   // The parts of virtual faces are virtual, and come last again.
-  Manifold_map<Atlas> map(std::size_t number_of_input_vertices, int first_virtual_face) &&
+  Manifold_map<Atlas> map(const Manifold_map<Atlas>& before) &&
   {
+    const std::size_t first_virtual_face = before.number_of_faces() - before.number_of_virtual_faces();
     std::vector<Triangle> faces, virtual_faces;
+    std::vector<int> parents;
     for (int f = 0; f < static_cast<int>(mesh_.faces().size()); ++f)
-      (mesh_.parent(f) < first_virtual_face ? faces : virtual_faces).push_back(mesh_.faces()[f]);
+      if (static_cast<std::size_t>(mesh_.parent(f)) < first_virtual_face) {
+        faces.push_back(mesh_.faces()[f]);
+        parents.push_back(mesh_.parent(f));
+      } else {
+        virtual_faces.push_back(mesh_.faces()[f]);
+      }
     faces.insert(faces.end(), virtual_faces.begin(), virtual_faces.end());
     return Manifold_map<Atlas>(std::move(points_), std::move(faces), std::move(domain_points_),
-                               number_of_input_vertices, virtual_faces.size());
+                               before.number_of_input_vertices(), virtual_faces.size(),
+                               before.input_indices().of_parts(std::move(parents)));
   }
 
 private:
@@ -229,9 +238,18 @@ Manifold_map<Atlas> refine(const Manifold_map<Atlas>& map,
                    [&](double fraction) { visitor.progress(fraction); });
     visitor.end_phase();
     if (refinement.domain_points() == map.domain_points()) return map;
-    const std::size_t first_virtual_face = map.number_of_faces() - map.number_of_virtual_faces();
-    return std::move(refinement).map(map.number_of_input_vertices(), static_cast<int>(first_virtual_face));
+    return std::move(refinement).map(map);
   }
+}
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The same for the map of a mesh, which it stays.
+template <class FaceListGraph, class Atlas, class NamedParameters = parameters::Default_named_parameters>
+Mesh_map<FaceListGraph, Atlas> refine(const Mesh_map<FaceListGraph, Atlas>& map,
+                                      const NamedParameters& np = parameters::default_values())
+{
+  return map.with(refine(static_cast<const Manifold_map<Atlas>&>(map), np));
 }
 
 } // namespace Simple_manifolds

@@ -11,6 +11,7 @@
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
+#include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/domain_geometry.h>
 #include <CGAL/Simple_manifolds/embedding/internal/closest_point/approach.h>
 
@@ -86,7 +87,17 @@ Manifold_map<Atlas> correct_parameters(const Manifold_map<Atlas>& map, const Sur
     if (!is_good) p[v] = old;
   }
   return Manifold_map<Atlas>(map.points(), map.faces(), std::move(p), map.number_of_input_vertices(),
-                             map.number_of_virtual_faces());
+                             map.number_of_virtual_faces(), map.input_indices());
+}
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// The same for the map of a mesh, which it stays.
+template <class FaceListGraph, class Atlas, class Surface>
+Mesh_map<FaceListGraph, Atlas> correct_parameters(const Mesh_map<FaceListGraph, Atlas>& map,
+                                                  const Surface& surface)
+{
+  return map.with(correct_parameters(static_cast<const Manifold_map<Atlas>&>(map), surface));
 }
 
 } // namespace Simple_manifolds

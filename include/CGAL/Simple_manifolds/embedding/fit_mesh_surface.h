@@ -47,7 +47,7 @@ auto fit_surface(const FaceListGraph& mesh, const NamedParameters& np = paramete
     std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<internal_np::bump_t, NamedParameters,
                                                                     Smoothstep_bump<2>>::type>;
   const Map_options o = map_options_for_fitting();
-  const Any_map any_map = map_to_canonical_surface<ConcurrencyTag>(
+  const auto any_map = map_to_canonical_surface<ConcurrencyTag>(
     mesh,
     parameters::energy(choose_parameter(get_parameter(np, internal_np::energy), o.energy),
                        parameters::energy_lambda(

@@ -59,7 +59,8 @@ public:
   static constexpr int most_vertices = 3000; // Grimm 2002, section 5.1: meshes of 400 to 3000 vertices suit
 
   Partition_mapper(const Mesh_arrays& arrays, Projection_weights weights, Partition_report& report)
-    : arrays_(arrays), points_(arrays.points), triangles_(arrays.triangles), weights_(weights),
+    : arrays_(arrays), points_(arrays.points), triangles_(arrays.triangles),
+      number_of_virtual_faces_(arrays.number_of_virtual_faces), input_(arrays.input), weights_(weights),
       report_(report)
   {
   }
@@ -75,7 +76,7 @@ public:
     visitor.end_phase();
     visitor.start_phase("certify");
     Manifold_map<Atlas> map(std::move(points_), std::move(triangles_), std::move(domain_points_),
-                            arrays_.number_of_input_vertices, arrays_.number_of_virtual_faces);
+                            arrays_.number_of_input_vertices, number_of_virtual_faces_, input_);
     visitor.end_phase();
     return map;
   }
@@ -181,7 +182,15 @@ private:
     const auto is_positive = [&](const Triangle& t) {
       return is_face_positive(Atlas(), domain_points_[t[0]], domain_points_[t[1]], domain_points_[t[2]]);
     };
-    if (!std::all_of(arrays_.triangles.begin(), arrays_.triangles.end(), is_positive)) return;
+    if (!std::all_of(arrays_.triangles.begin(), arrays_.triangles.end(), is_positive)) {
+      const std::size_t parts = triangles_.size() / arrays_.triangles.size(); // of each face, side by side
+      number_of_virtual_faces_ = parts * arrays_.number_of_virtual_faces;
+      std::vector<int> parents;
+      for (std::size_t f = 0; f + number_of_virtual_faces_ < triangles_.size(); ++f)
+        parents.push_back(static_cast<int>(f / parts));
+      input_ = arrays_.input.of_parts(std::move(parents));
+      return;
+    }
     points_ = arrays_.points;
     triangles_ = arrays_.triangles;
     domain_points_.resize(points_.size());
@@ -202,6 +211,9 @@ private:
     const Plane_border disk(points_, triangles_, corners);
     points_ = disk.points();
     triangles_ = disk.triangles();
+    std::vector<int> parents = disk.parents();
+    parents.resize(parents.size() - number_of_virtual_faces_); // inside of the disk, and never split
+    input_ = arrays_.input.of_parts(std::move(parents));
 
     const Working_mesh mesh = working_mesh(points_, triangles_);
     const auto tile = get(CGAL::dynamic_face_property_t<int>(), mesh);
@@ -222,9 +234,38 @@ private:
   std::vector<Eigen::Vector3d> points_;
   std::vector<Triangle> triangles_;
   std::vector<Point> domain_points_;
+  std::size_t number_of_virtual_faces_;
+  Input_indices input_;
   Projection_weights weights_;
   Partition_report& report_;
 };
+
+template <class NamedParameters>
+Any_map map_by_partition(const Mesh_arrays& arrays, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  Default_visitor default_visitor;
+  auto& visitor = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+  Partition_report own_report;
+  Partition_report& report =
+    choose_parameter(get_parameter(np, internal_np::partition_report), std::ref(own_report)).get();
+  report = Partition_report();
+  const Projection_weights weights =
+    choose_parameter(get_parameter(np, internal_np::projection_weights), Projection_weights::CENTROID);
+
+  if (!arrays.topology.is_closed()) {
+    require_disk(arrays.topology);
+    return Partition_mapper<Plane_atlas>(arrays, weights, report).run(visitor);
+  }
+  if (arrays.topology.genus == 0) {
+    require_closed_genus(arrays.topology, 0);
+    return Partition_mapper<Sphere_atlas>(arrays, weights, report).run(visitor);
+  }
+  require_closed_genus(arrays.topology, 1);
+  return Partition_mapper<Torus_atlas>(arrays, weights, report).run(visitor);
+}
 
 } // namespace internal
 
@@ -257,31 +298,11 @@ private:
 /// \throw Partition_error  when a step fails, or a vertex of a closed mesh has more than 2000 neighbours
 /// \throw Numeric_error  when the result is not one to one, or double precision does not suffice
 template <class FaceListGraph, class NamedParameters = parameters::Default_named_parameters>
-Any_map map_by_partition(const FaceListGraph& mesh, const NamedParameters& np = parameters::default_values())
+Any_mesh_map<FaceListGraph> map_by_partition(const FaceListGraph& mesh,
+                                             const NamedParameters& np = parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
-  Default_visitor default_visitor;
-  auto& visitor = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
-  Partition_report own_report;
-  Partition_report& report =
-    choose_parameter(get_parameter(np, internal_np::partition_report), std::ref(own_report)).get();
-  report = Partition_report();
-  const Projection_weights weights =
-    choose_parameter(get_parameter(np, internal_np::projection_weights), Projection_weights::CENTROID);
-
-  const internal::Mesh_arrays arrays = internal::mesh_arrays(mesh, np);
-  if (!arrays.topology.is_closed()) {
-    require_disk(arrays.topology);
-    return internal::Partition_mapper<Plane_atlas>(arrays, weights, report).run(visitor);
-  }
-  if (arrays.topology.genus == 0) {
-    require_closed_genus(arrays.topology, 0);
-    return internal::Partition_mapper<Sphere_atlas>(arrays, weights, report).run(visitor);
-  }
-  require_closed_genus(arrays.topology, 1);
-  return internal::Partition_mapper<Torus_atlas>(arrays, weights, report).run(visitor);
+  const auto [elements, arrays] = internal::numbered_mesh(mesh, np);
+  return internal::with_mesh(internal::map_by_partition(arrays, np), elements);
 }
 
 } // namespace Simple_manifolds

@@ -23,7 +23,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -39,8 +41,9 @@ public:
   // corners: four border vertices in counterclockwise order, or none: then they are chosen.
   Plane_border(std::vector<Eigen::Vector3d> points, std::vector<Triangle> triangles,
                const std::vector<int>& corners)
-    : points_(std::move(points)), triangles_(std::move(triangles))
+    : points_(std::move(points)), triangles_(std::move(triangles)), parents_(triangles_.size())
   {
+    std::iota(parents_.begin(), parents_.end(), 0);
     const Triangle_soup soup(static_cast<int>(points_.size()), triangles_);
     border_ = border_loops(soup, opposite_half_edges(soup)).front();
     while (border_.size() < 4) split_longest_border_edge();
@@ -50,6 +53,9 @@ public:
 
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
+
+  // Per triangle the one at construction that it is a part of.
+  const std::vector<int>& parents() const { return parents_; }
 
   // Per vertex a set of sides, see Plane_geometry.
   const std::vector<unsigned char>& sides() const { return sides_; }
@@ -156,7 +162,9 @@ private:
       points_.push_back(points_[e.first] / 2 + points_[e.second] / 2);
     }
     std::vector<Triangle> result;
-    for (const Triangle& t : triangles_) {
+    std::vector<int> parents_of_result;
+    for (std::size_t f = 0; f < triangles_.size(); ++f) {
+      const Triangle& t = triangles_[f];
       std::array<bool, 3> split;
       Triangle corner = {-1, -1, -1};
       for (int k = 0; k < 3; ++k) {
@@ -165,12 +173,15 @@ private:
         if (split[k]) corner[k] = m->second;
       }
       split_triangle(t, split, corner, result);
+      parents_of_result.resize(result.size(), parents_[f]);
     }
     triangles_.swap(result);
+    parents_.swap(parents_of_result);
   }
 
   std::vector<Eigen::Vector3d> points_;
   std::vector<Triangle> triangles_;
+  std::vector<int> parents_; // of the triangles
   std::vector<int> border_, next_on_border_;
   std::vector<unsigned char> sides_;
 };

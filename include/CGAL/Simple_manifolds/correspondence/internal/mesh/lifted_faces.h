@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -81,19 +82,23 @@ inline std::vector<Triangle> triangles_of(const std::vector<Lifted_face>& faces)
 }
 
 // Splits long edges at their middles until there are none.
-// The virtual faces are the last ones, before and after.
-inline void split_long_edges(std::vector<Lifted_face>& faces, std::vector<Eigen::Vector3d>& points,
-                             std::vector<Eigen::Vector2d>& domain_points,
-                             std::size_t& number_of_virtual_faces)
+// The virtual faces are the last ones, before and after. Returns per face the one before that it is a part of.
+inline std::vector<int> split_long_edges(std::vector<Lifted_face>& faces,
+                                         std::vector<Eigen::Vector3d>& points,
+                                         std::vector<Eigen::Vector2d>& domain_points,
+                                         std::size_t& number_of_virtual_faces)
 {
   const auto is_long = [](const Lifted_face& f, int k) {
     return is_long_edge(f[k].lift, f[(k + 1) % 3].lift);
   };
   const auto has_long = [&](const Lifted_face& f) { return is_long(f, 0) || is_long(f, 1) || is_long(f, 2); };
+  std::vector<int> parents(faces.size());
+  std::iota(parents.begin(), parents.end(), 0);
   while (std::any_of(faces.begin(), faces.end(), has_long)) {
     const Corner_table table(static_cast<int>(points.size()), triangles_of(faces));
     std::vector<int> middle(3 * faces.size(), -1); // of half-edges
     std::vector<Lifted_face> result;
+    std::vector<int> parents_of_result;
     std::size_t real = 0;
     for (std::size_t f = 0; f < faces.size(); ++f) {
       if (f + number_of_virtual_faces == faces.size()) real = result.size();
@@ -113,10 +118,13 @@ inline void split_long_edges(std::vector<Lifted_face>& faces, std::vector<Eigen:
         corner[k] = {middle[h], lift};
       }
       split_triangle(faces[f], split, corner, result);
+      parents_of_result.resize(result.size(), parents[f]);
     }
     number_of_virtual_faces = number_of_virtual_faces == 0 ? 0 : result.size() - real;
     faces.swap(result);
+    parents.swap(parents_of_result);
   }
+  return parents;
 }
 
 } // namespace internal

@@ -12,15 +12,22 @@
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
+#include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/lay_out.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/Mesh_elements.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/close_borders.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/mesh_to_triangles.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -28,58 +35,90 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-template <class FaceListGraph, class NamedParameters>
-Mesh_arrays mesh_arrays(const FaceListGraph& mesh, const NamedParameters& np)
+// vertex: numbers what the caller names vertices by: descriptors of a mesh, or positions in arrays.
+template <class Soup, class Vertices, class NamedParameters>
+Mesh_arrays mesh_arrays(const Soup& soup, const std::vector<Eigen::Vector3d>& points, const Vertices& vertex,
+                        const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  Mesh_arrays a = mesh_to_triangles(mesh, choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                                           get_const_property_map(CGAL::vertex_point, mesh)));
+  Mesh_arrays a = mesh_to_triangles(soup, points);
   close_borders(a, choose_parameter(get_parameter(np, internal_np::close_borders), Close_borders::NONE));
   if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters,
                                                         internal_np::vertex_weight_map_t>::value) {
     const auto weight = get_parameter(np, internal_np::vertex_weight_map);
     a.vertex_weight.assign(a.points.size(), 1.);
-    std::size_t i = 0;
-    for (const auto v : vertices(mesh)) {
-      CGAL_precondition(get(weight, v) >= 0 && std::isfinite(get(weight, v)));
-      if (a.index[i] >= 0) a.vertex_weight[a.index[i]] = get(weight, v);
-      ++i;
+    for (std::size_t i = 0; i < vertex.size(); ++i) {
+      CGAL_precondition(get(weight, vertex[i]) >= 0 && std::isfinite(get(weight, vertex[i])));
+      if (a.index[i] >= 0) a.vertex_weight[a.index[i]] = get(weight, vertex[i]);
     }
   }
   return a;
 }
 
-// The positions in the arrays of some vertices of the mesh, in the order of the range.
-template <class FaceListGraph, class Vertex_range>
-std::vector<int> indices_of(const FaceListGraph& mesh, const Mesh_arrays& a, const Vertex_range& range)
+// The elements of a mesh, and the mesh as arrays.
+template <class FaceListGraph>
+struct Numbered_mesh {
+  std::shared_ptr<const Mesh_elements<FaceListGraph>> elements;
+  Mesh_arrays arrays;
+};
+
+template <class FaceListGraph, class NamedParameters>
+Numbered_mesh<FaceListGraph> numbered_mesh(const FaceListGraph& mesh, const NamedParameters& np)
 {
-  const auto index = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
-  std::size_t i = 0;
-  for (const auto v : vertices(mesh)) put(index, v, a.index[i++]);
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const Polygon_soup soup(mesh);
+  auto elements = std::make_shared<const Mesh_elements<FaceListGraph>>(mesh, soup);
+  Mesh_arrays arrays =
+    mesh_arrays(soup,
+                points_of_mesh(mesh, choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                                      get_const_property_map(CGAL::vertex_point, mesh))),
+                elements->vertex, np);
+  return {std::move(elements), std::move(arrays)};
+}
+
+// The same of ranges of points and of triangles.
+template <class PointRange, class TriangleRange, class NamedParameters>
+Mesh_arrays arrays_of_ranges(const PointRange& points, const TriangleRange& triangles,
+                             const NamedParameters& np)
+{
+  const std::vector<Eigen::Vector3d> p = points_of_range(points);
+  require_countable(p.size());
+  const std::vector<Triangle> t = triangles_of_range(triangles, p.size());
+  return mesh_arrays(Triangle_soup(static_cast<int>(p.size()), t), p, Positions(p.size()), np);
+}
+
+// Whether it can be iterated over: named parameters cannot.
+template <class T, class = void>
+inline constexpr bool is_range = false;
+template <class T>
+inline constexpr bool is_range<T, std::void_t<decltype(std::begin(std::declval<const T&>()))>> = true;
+
+// The positions in the arrays of some vertices, in the order of the range.
+template <class Vertices, class Vertex_range>
+std::vector<int> indices_of(const Vertices& vertex, const Mesh_arrays& a, const Vertex_range& range)
+{
   std::vector<int> result;
   for (const auto& v : range) {
-    result.push_back(get(index, v));
-    CGAL_precondition_msg(result.back() >= 0, "a vertex of no face");
+    const int i = vertex.find(v);
+    CGAL_precondition_msg(i >= 0 && a.index[i] >= 0, "a vertex of no face");
+    result.push_back(a.index[i]);
   }
   return result;
 }
 
 // The landmarks among the named parameters, for the vertices of the arrays.
-template <class Point, class FaceListGraph, class NamedParameters>
-std::vector<Indexed_landmark<Point>> landmarks_of(const FaceListGraph& mesh, const Mesh_arrays& a,
+template <class Point, class Vertices, class NamedParameters>
+std::vector<Indexed_landmark<Point>> landmarks_of(const Vertices& vertex, const Mesh_arrays& a,
                                                   const NamedParameters& np)
 {
   std::vector<Indexed_landmark<Point>> result;
   if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::landmarks_t>::value) {
-    std::vector<typename boost::graph_traits<FaceListGraph>::vertex_descriptor> range;
     for (const auto& l : CGAL::parameters::get_parameter_reference(np, internal_np::landmarks)) {
       CGAL_precondition(l.weight >= 0 && std::isfinite(l.weight) && l.point.allFinite());
-      range.push_back(l.vertex);
-      result.push_back({-1, l.point, l.weight});
+      result.push_back({indices_of(vertex, a, std::array{l.vertex}).front(), l.point, l.weight});
     }
-    const std::vector<int> index = indices_of(mesh, a, range);
-    for (std::size_t i = 0; i < index.size(); ++i) result[i].vertex = index[i];
   }
   return result;
 }
@@ -124,18 +163,16 @@ Manifold_map<Atlas> certified_map(const Layout_problem<Point>& problem, const Na
 }
 
 // Writes the domain points into the property map of the caller, if there is one.
-template <class FaceListGraph, class Atlas, class NamedParameters>
-void write_domain_points(const FaceListGraph& mesh, const std::vector<int>& index,
+// index: per vertex its position in the map, or -1.
+template <class Vertices, class Atlas, class NamedParameters>
+void write_domain_points(const Vertices& vertex, const std::vector<int>& index,
                          const Manifold_map<Atlas>& map, const NamedParameters& np)
 {
   if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters,
                                                         internal_np::domain_point_map_t>::value) {
     auto domain_point = CGAL::parameters::get_parameter(np, internal_np::domain_point_map);
-    std::size_t i = 0;
-    for (const auto v : vertices(mesh)) {
-      if (index[i] >= 0) put(domain_point, v, map.domain_point(index[i]));
-      ++i;
-    }
+    for (std::size_t i = 0; i < vertex.size(); ++i)
+      if (index[i] >= 0) put(domain_point, vertex[i], map.domain_point(index[i]));
   }
 }
 

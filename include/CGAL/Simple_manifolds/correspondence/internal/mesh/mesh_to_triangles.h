@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MESH_TO_TRIANGLES_H
 
 #include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/correspondence/Input_indices.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/triangulate_polygon.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
@@ -18,10 +19,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <iterator>
 #include <string>
+#include <type_traits>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -37,6 +42,7 @@ struct Mesh_arrays {
   std::size_t number_of_virtual_faces = 0;  // the last triangles, which close borders
   std::vector<double> vertex_weight;        // relative area in the domain, per point; empty means all 1
   Mesh_topology topology;                   // of the mesh with its polygons
+  Input_indices input;                      // of points and triangles
 };
 
 // Cuts the faces of a soup into triangles so that no two edges have the same ends.
@@ -53,7 +59,8 @@ public:
   // A face that finds all its triangulations blocked by the diagonals of earlier ones comes first in
   // a new attempt; blocked again, or the hundredth of them, it cannot be cut.
   // Throws Topology_error (unsupported_face) naming such a face.
-  std::vector<Triangle> operator()()
+  // parents: receives the face of each triangle.
+  std::vector<Triangle> operator()(std::vector<int>& parents)
   {
     std::deque<int> first;
     for (;;) {
@@ -73,6 +80,7 @@ public:
       if (corners(f) == 3) all.push_back({soup_.source(h), soup_.source(h + 1), soup_.source(h + 2)});
       for (const Triangle& t : pieces_[f])
         all.push_back({soup_.source(h + t[0]), soup_.source(h + t[1]), soup_.source(h + t[2])});
+      parents.resize(all.size(), f);
     }
     return all;
   }
@@ -136,17 +144,26 @@ std::vector<Eigen::Vector3d> points_of_mesh(const FaceListGraph& mesh, const Ver
   return points;
 }
 
+// The points of a range: of a kernel, Eigen's vectors, or arrays of three numbers.
+template <class PointRange>
+std::vector<Eigen::Vector3d> points_of_range(const PointRange& range)
+{
+  std::vector<Eigen::Vector3d> points;
+  for (const auto& p : range)
+    points.emplace_back(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]));
+  return points;
+}
+
+// soup: of triangles, or of polygons. points: of its vertices, isolated ones included.
 // Throws Topology_error (see topology(), and unsupported_face) and Geometry_error
 // (non_finite_coordinate naming the vertex).
-template <class FaceListGraph, class VertexPointMap>
-Mesh_arrays mesh_to_triangles(const FaceListGraph& mesh, const VertexPointMap& vertex_point)
+template <class Soup>
+Mesh_arrays mesh_to_triangles(const Soup& soup, const std::vector<Eigen::Vector3d>& points)
 {
-  const Polygon_soup soup(mesh);
   Mesh_arrays arrays;
   std::vector<int> opposite;
   arrays.topology = topology_of_soup(soup, opposite);
 
-  const std::vector<Eigen::Vector3d> points = points_of_mesh(mesh, vertex_point);
   arrays.index.reserve(points.size());
   arrays.points.reserve(points.size());
   std::vector<char> used(points.size(), false);
@@ -159,17 +176,44 @@ Mesh_arrays mesh_to_triangles(const FaceListGraph& mesh, const VertexPointMap& v
                            "vertex " + std::to_string(v) + " has a coordinate that is not finite",
                            Mesh_element::vertex(v));
     arrays.points.push_back(points[v]);
+    arrays.input.vertices.push_back(static_cast<int>(v));
   }
   arrays.number_of_input_vertices = arrays.points.size();
   if (soup.number_of_half_edges() == 3 * soup.number_of_faces()) {
     arrays.triangles.reserve(soup.number_of_faces());
     for (int f = 0; f < soup.number_of_faces(); ++f)
       arrays.triangles.push_back({soup.source(3 * f), soup.source(3 * f + 1), soup.source(3 * f + 2)});
-  } else
-    arrays.triangles = Soup_triangulator(soup, points)();
+  } else if constexpr (Soup::knows_edges) { // of polygons
+    arrays.triangles = Soup_triangulator(soup, points)(arrays.input.faces);
+  }
+  arrays.input = std::move(arrays.input).compact();
   for (Triangle& t : arrays.triangles)
     for (int& v : t) v = arrays.index[v];
   return arrays;
+}
+
+// The triangles of ranges of any kind; what cannot be an index becomes -1, which no soup accepts.
+// Throws Topology_error (unsupported_face) for one that is no triangle.
+template <class TriangleRange>
+std::vector<Triangle> triangles_of_range(const TriangleRange& range, std::size_t number_of_points)
+{
+  std::vector<Triangle> triangles;
+  for (const auto& t : range) {
+    if (std::size(t) != 3)
+      throw Topology_error(Error_code::unsupported_face,
+                           "face " + std::to_string(triangles.size()) + " has " +
+                             std::to_string(std::size(t)) + " corners, not three",
+                           Mesh_element::face(triangles.size()));
+    Triangle corners;
+    for (int k = 0; k < 3; ++k) {
+      static_assert(std::is_integral_v<std::decay_t<decltype(t[k])>>,
+                    "a triangle is given by the positions of its corners in the range of points");
+      const auto v = static_cast<std::int64_t>(t[k]);
+      corners[k] = v < static_cast<std::int64_t>(number_of_points) ? static_cast<int>(v) : -1;
+    }
+    triangles.push_back(corners);
+  }
+  return triangles;
 }
 
 } // namespace internal
