@@ -315,7 +315,7 @@ TEMPLATE_TEST_CASE("the shapes of an atlas are positively oriented, and whole wh
           }
           // The sphere has the radius 1, and so has the tube of the ring round its circle of radius 1.5.
           Vector3d centre = Vector3d::Zero();
-          if (atlas.genus == 1) centre = 1.5 * Vector3d(x.x(), 0, x.z()).normalized();
+          if (atlas.genus == 1) centre = 1.5 * Vector3d(x.x(), x.y(), 0).normalized();
           turned = (std::max)(turned, (n - (x - centre)).norm());
           off = (std::max)(off, std::abs((x - centre).norm() - 1));
           for (const Chart_point& other : atlas.charts_at(atlas.point(q)))

@@ -66,19 +66,6 @@ TEST_CASE("a map is drawn as mesh and canonical surface in the colours of the ti
     SM::map_to_canonical_surface(input));
 }
 
-TEST_CASE("the torus is drawn as a ring with radii 1.5 and 1, in a unit of 2.5")
-{
-  for (int i = 0; i < 12; ++i)
-    for (int j = 0; j < 12; ++j) {
-      const double theta = i * CGAL_PI / 6, phi = j * CGAL_PI / 6;
-      const Eigen::Vector3d x = 2.5 * SM::internal::in_space(Eigen::Vector2d(i / 12., j / 12.), true);
-      const Eigen::Vector3d centre(1.5 * std::cos(phi), 1.5 * std::sin(phi), 0); // of the tube
-      CHECK((x - centre).norm() == Approx(1)); // Grimm's printed formula fails here
-      CHECK((x - centre).normalized().z() == Approx(std::sin(theta)).margin(1e-14));
-      CHECK((x - centre).dot(centre) / 1.5 == Approx(std::cos(theta)).margin(1e-14));
-    }
-}
-
 TEST_CASE("a surface is drawn with as many faces in each colour")
 {
   using Level = SM::Hierarchical_embedding::Level;

@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_DRAW_H
 
 #include <CGAL/Simple_manifolds/IO/chart_colour.h>
+#include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/tessellation/tessellate.h>
@@ -16,7 +17,6 @@
 #include <CGAL/IO/Color.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/version.h>
 
 #ifdef CGAL_USE_BASIC_VIEWER
@@ -46,19 +46,18 @@ using Coloured_mesh = Surface_mesh<Simple_cartesian<double>::Point_3>;
 
 namespace internal {
 
-// A point of a canonical surface in space: on the sphere, in the square, on the torus with radii 1.5 and 1.
-template <class Domain_point>
-Eigen::Vector3d in_space(const Domain_point& p, bool is_torus)
+// The domain points of a map in the last of the shapes of its atlas: a ring rather than a square that is cut.
+template <class Atlas>
+std::vector<Eigen::Vector3d> places_on_canonical_surface(const Manifold_map<Atlas>& map)
 {
-  if constexpr (Domain_point::RowsAtCompileTime == 3) {
-    return p;
-  } else {
-    if (!is_torus) return {2 * p.x() - 1, 2 * p.y() - 1, 0};
-    const double theta = 2 * CGAL_PI * p.x(), phi = 2 * CGAL_PI * p.y();
-    return Eigen::Vector3d((1.5 + std::cos(theta)) * std::cos(phi), (1.5 + std::cos(theta)) * std::sin(phi),
-                           std::sin(theta)) /
-           2.5;
+  const Atlas& atlas = map.atlas();
+  const Domain_shape<Atlas> shape = domain_shapes(atlas).back();
+  std::vector<Eigen::Vector3d> places;
+  for (const auto& p : map.domain_points()) {
+    const int tile = atlas.tile(p);
+    places.push_back(shape.place(atlas, {tile, atlas.coordinates(tile, p)}));
   }
+  return places;
 }
 
 // CGAL 5 returns a pair, CGAL 6 an optional
@@ -114,31 +113,29 @@ private:
 
 /// \ingroup PkgSimpleManifoldsDraw
 ///
-/// The mesh of a map, scaled into [-1,1]^3, and at its right the same faces on the canonical surface. Both
-/// have the colours of the tiles in which the faces lie. The torus is shown as a ring with the radii of Grimm
-/// 2002, section 3.3. Virtual faces are left out.
+/// The mesh of a map, scaled into [-1,1]^3, and at its right the same faces on the canonical surface, in the last of
+/// the shapes of its atlas. Both have the colours of the tiles in which the faces lie. Virtual faces are left out.
 template <class Atlas>
 Coloured_mesh coloured_mesh(const Manifold_map<Atlas>& map)
 {
   Coloured_mesh mesh;
   internal::Coloured_mesh_builder builder(mesh);
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& x : map.points()) box.extend(x);
-  const double side = box.sizes().maxCoeff(), scale = side > 0 ? 2 / side : 1;
   const auto tile = [&, middle = Eigen::Vector3d(Eigen::Vector3d::Constant(1 / 3.))](const Triangle& t) {
     const auto& p = map.domain_points();
     return map.atlas().tile(map.atlas().interpolate(p[t[0]], p[t[1]], p[t[2]], middle));
   };
   const std::size_t faces = map.number_of_faces() - map.number_of_virtual_faces();
-  builder.add(
-    map.number_of_vertices(), map.faces(), faces,
-    [&](std::size_t v) -> Eigen::Vector3d { return scale * (map.point(v) - box.center()); }, tile);
-  builder.add(
-    map.number_of_vertices(), map.faces(), faces,
-    [&](std::size_t v) -> Eigen::Vector3d {
-      return internal::in_space(map.domain_point(v), Atlas::genus == 1) + Eigen::Vector3d(2.2, 0, 0);
-    },
-    tile);
+  const auto add = [&](const std::vector<Eigen::Vector3d>& points, double right) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& x : points) box.extend(x);
+    const double side = box.sizes().maxCoeff(), scale = side > 0 ? 2 / side : 1;
+    const Eigen::Vector3d place(right, 0, 0);
+    builder.add(
+      points.size(), map.faces(), faces,
+      [&](std::size_t v) -> Eigen::Vector3d { return scale * (points[v] - box.center()) + place; }, tile);
+  };
+  add(map.points(), 0);
+  add(internal::places_on_canonical_surface(map), 2.2);
   for (const auto v : mesh.vertices())
     if (mesh.is_isolated(v)) mesh.remove_vertex(v);
   mesh.collect_garbage();
@@ -160,7 +157,7 @@ Coloured_mesh coloured_mesh(const Manifold_surface<Atlas, ChartEmbedding, Bump>&
   surface.points(grid.domain_points(), std::back_inserter(points));
   const std::vector<Triangle> triangles = triangulate(grid, points);
   internal::Coloured_mesh_builder builder(mesh);
-  const std::size_t per_tile = triangles.size() / Atlas::number_of_charts; // they come tile by tile
+  const std::size_t per_tile = triangles.size() / surface.atlas().number_of_charts; // they come tile by tile
   builder.add(
     points.size(), triangles, triangles.size(), [&](std::size_t v) { return points[v]; },
     [&](const Triangle& t) { return int(std::size_t(&t - triangles.data()) / per_tile); });

@@ -198,7 +198,7 @@ public:
       constexpr double turn = 6.28318530717958648;
       const Domain_point p = atlas.point(q);
       const double a = turn * p.x(), b = turn * p.y(), r = 1.5 + std::cos(a);
-      return {r * std::cos(b), std::sin(a), r * std::sin(b)};
+      return {r * std::cos(b), -r * std::sin(b), std::sin(a)};
     };
     return {{"flat torus", true, in_square}, {"ring torus", false, on_ring}};
   }
