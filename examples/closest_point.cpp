@@ -31,14 +31,15 @@ int main(int argc, char** argv)
     std::cout << "the vertices are up to " << largest / map.diagonal() << " of the diagonal away\n";
 
     // The surface is closed: the sign of the distance tells inside from outside.
-    const Eigen::Vector3d x = map.point(0) + 0.1 * map.diagonal() * surface.normal(map.domain_point(0));
+    const auto v = mesh.target(*mesh.halfedges().begin());
+    const Eigen::Vector3d x = map.point(v) + 0.1 * map.diagonal() * surface.normal(map.domain_point(v));
     const auto foot = finder(x);
     std::cout << x.transpose() << (foot.signed_distance < 0 ? " is inside" : " is outside") << ", "
               << foot.distance << " away from the point at (u,v) = " << foot.domain_point.transpose() << '\n';
 
     // One point, near a domain point that is known: no search, a few Newton steps.
-    const auto near = SM::closest_point(surface, map.point(0), map.domain_point(0));
-    std::cout << "vertex 0 is at a distance of " << near.distance << '\n';
+    const auto near = SM::closest_point(surface, map.point(v), map.domain_point(v));
+    std::cout << v << " is at a distance of " << near.distance << '\n';
     //! [closest]
   } catch (const SM::Error& e) {
     std::cerr << e.what() << std::endl;

@@ -24,9 +24,10 @@ int main(int argc, char** argv)
 
     //! [jet]
     // One jet holds the position and all derivatives; everything else follows from it.
-    std::size_t sharpest = 0;
+    Mesh::Vertex_index sharpest;
     double largest = 0;
-    for (std::size_t v = 0; v < map.number_of_vertices(); ++v) {
+    for (const Mesh::Vertex_index v : mesh.vertices()) {
+      if (mesh.is_isolated(v)) continue; // a vertex of no face is not on the map
       const SM::Jet jet = surface.jet(map.domain_point(v));
       const auto [k1, k2] = SM::principal_curvatures(jet); // k1 >= k2; both 1 on the unit sphere
       const double k = (std::max)(std::abs(k1), std::abs(k2));
@@ -35,16 +36,14 @@ int main(int argc, char** argv)
         sharpest = v;
       }
     }
-    std::cout << "the smallest radius of curvature is " << 1 / largest << ", at vertex " << sharpest << " ("
+    std::cout << "the smallest radius of curvature is " << 1 / largest << ", at " << sharpest << " ("
               << map.point(sharpest).transpose() << ")\n";
 
-    SM::Manifold_map<SM::Sphere_atlas>::Location centre;
-    centre.face = 0;
-    centre.barycentric = Eigen::Vector3d::Constant(1. / 3);
-    const Eigen::Vector3d p = map.to_domain(centre);
-    std::cout << "at the centre of face 0: normal " << surface.normal(p).transpose() << ", mean curvature "
-              << surface.mean_curvature(p) << ", Gaussian curvature " << surface.gaussian_curvature(p)
-              << '\n';
+    const Mesh::Face_index f = *mesh.faces().begin();
+    const Eigen::Vector3d p = map.to_domain(f, Eigen::Vector3d::Constant(1. / 3));
+    std::cout << "at the centre of " << f << ": normal " << surface.normal(p).transpose()
+              << ", mean curvature " << surface.mean_curvature(p) << ", Gaussian curvature "
+              << surface.gaussian_curvature(p) << '\n';
     //! [jet]
   } catch (const SM::Error& e) {
     std::cerr << e.what() << std::endl;

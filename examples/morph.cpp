@@ -47,6 +47,7 @@ int main(int argc, char** argv)
 
     // From the mesh to the sphere, and from there to the other mesh; both in units of their diagonals.
     for (const auto v : mesh.vertices()) {
+      if (mesh.is_isolated(v)) continue; // a vertex of no face is not on the map
       const Eigen::Vector3d x = map.point(v) / map.diagonal(),
                             y = other_map(map.domain_point(v)) / other_map.diagonal(), z = (x + y) / 2;
       mesh.point(v) = {z.x(), z.y(), z.z()};

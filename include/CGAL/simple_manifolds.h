@@ -24,8 +24,10 @@
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 
 #include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/Input_indices.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
+#include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
 #include <CGAL/Simple_manifolds/correspondence/balance.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
 #include <CGAL/Simple_manifolds/correspondence/criteria.h>

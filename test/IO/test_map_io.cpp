@@ -104,6 +104,42 @@ TEST_CASE("the text of a map says what it is")
   CHECK(text.find(first_face) != text.npos);
 }
 
+TEST_CASE("a map that has left out vertices says which, and remembers")
+{
+  const Temporary_folder folder;
+  const auto all = some_map<SM::Sphere_atlas>(1);
+  SM::Input_indices input;
+  for (std::size_t v = 0; v < all.number_of_input_vertices(); ++v)
+    input.vertices.push_back(static_cast<int>(v < 2 ? v + 2 : 2 * v + 5));
+  const SM::Manifold_map<SM::Sphere_atlas> map(all.points(), all.faces(), all.domain_points(),
+                                               all.number_of_input_vertices(), 2, input);
+  for (const bool binary : {true, false}) {
+    SM::write_map(folder("map.ply"), map, CGAL::parameters::use_binary_mode(binary));
+    const auto read = SM::read_map<SM::Sphere_atlas>(folder("map.ply"));
+    CHECK(same_map(read, map));
+    CHECK(read.input_indices().vertices == input.vertices);
+    CHECK(read.input_vertex(1) == 3);
+    CHECK(read.input_vertex(read.number_of_vertices() - 1) == -1);
+  }
+  const std::string good = folder.read("map.ply"); // text
+  CHECK(good.find("\nproperty double domain_z\nproperty int input_vertex\nelement face") != good.npos);
+  CHECK(good.find("\ncomment input_vertex ") != good.npos);
+  for (const char* other : {"2", "-1", "2.5", "3000000000"}) { // behind vertex 0, whose number is 2
+    const std::string row = good.substr(good.find("end_header\n") + 11);
+    const std::size_t end = row.find('\n', row.find('\n') + 1), begin = row.rfind(' ', end) + 1;
+    REQUIRE(row.substr(begin, end - begin) == "3");
+    std::string text = good;
+    text.replace(text.find(row) + begin, end - begin, other);
+    if (std::string(other) == "2.5") text = replaced(text, "int input_vertex", "double input_vertex");
+    folder.write("bad.ply", text);
+    CHECK(refused(folder("bad.ply")) == Error_code::syntax_error);
+  }
+
+  // Nothing of that in the file of a map that has all.
+  SM::write_map(folder("map.ply"), all, CGAL::parameters::use_binary_mode(false));
+  CHECK(folder.read("map.ply").find("input_vertex ") == std::string::npos);
+}
+
 TEST_CASE("what is no map, or no valid one, is refused")
 {
   const Temporary_folder folder;

@@ -15,6 +15,7 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
+#include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
 #include <CGAL/Simple_manifolds/parameters.h>
 #include <CGAL/Simple_manifolds/tessellation/tessellate.h>
 
@@ -178,7 +179,7 @@ Charted_mesh charted_tessellation(const Surface& surface, const Map& map, const 
 {
   const auto grid = internal::grid_or_triangulation(surface, np);
   Charted_mesh mesh = internal::tessellation_over(surface, grid);
-  mesh.fields.push_back(internal::error_field(surface, map, grid.domain_points()));
+  mesh.fields.push_back(internal::error_field(surface, internal::map_on_arrays(map), grid.domain_points()));
   return mesh;
 }
 

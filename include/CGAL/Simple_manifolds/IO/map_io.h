@@ -20,6 +20,8 @@
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/parameters.h>
 
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <variant>
@@ -48,6 +50,25 @@ inline std::string value_of_comment(const Ply_file& ply, const std::string& key)
   return std::string();
 }
 
+/// The numbers in the input of the first `inputs` vertices, where the file gives some.
+inline Input_indices input_indices(const Ply_file& ply, std::size_t inputs)
+{
+  Input_indices input;
+  if (!ply.has_vertex_property("input_vertex")) return input;
+  const std::vector<double>& column = ply.vertex_property("input_vertex");
+  double least = 0;
+  for (std::size_t v = 0; v < column.size(); ++v) {
+    if (v < inputs ? !(column[v] >= least && column[v] < 2147483648. && column[v] == std::floor(column[v]))
+                   : column[v] != -1)
+      ply.fail("the input_vertex of vertex " + std::to_string(v) +
+               (v < inputs ? " is not a larger number than the one before" : " is not -1"));
+    if (v >= inputs) continue;
+    least = column[v] + 1;
+    input.vertices.push_back(static_cast<int>(column[v]));
+  }
+  return input;
+}
+
 template <class Atlas>
 Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
 {
@@ -65,6 +86,7 @@ Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
     inputs = std::size_t(n);
   }
 
+  Input_indices input = input_indices(ply, inputs);
   File_mesh mesh = ply.mesh();
   checked_topology(file, mesh);
   std::vector<Triangle> faces;
@@ -82,7 +104,7 @@ Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
   }
   try {
     return Manifold_map<Atlas>(std::move(mesh.points), std::move(faces), std::move(domain_points), inputs,
-                               virtual_faces);
+                               virtual_faces, std::move(input));
   } catch (const Topology_error& e) {
     throw Topology_error(e.code(), file + ": " + e.what(), e.element());
   } catch (const Geometry_error& e) {
@@ -99,8 +121,9 @@ Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
 /// Writes a map as a PLY file: per vertex the position `x y z` and the domain point `domain_x domain_y
 /// domain_z` (sphere) or `domain_u domain_v` (torus, plane), all as doubles; per face the vertices and
 /// `chart`, a chart that contains the face, or -1. The comments name the atlas, the number of input
-/// vertices, which come first, and of virtual faces, which come last. What is read back is the same to
-/// the last bit, and so is its certificate.
+/// vertices, which come first, and of virtual faces, which come last. Where the map has left out vertices of no face,
+/// each vertex also has `input_vertex`, its number in the input (-1: it was added); without it the rows are those of
+/// the input. What is read back is the same to the last bit, and so is its certificate.
 ///
 /// \param np  `use_binary_mode` (default: true; false writes text)
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
@@ -119,9 +142,15 @@ void write_map(const std::string& file, const Manifold_map<Atlas>& map,
   ply.header("comment input_vertices " + std::to_string(map.number_of_input_vertices()));
   if (map.number_of_virtual_faces() > 0)
     ply.header("comment virtual_faces " + std::to_string(map.number_of_virtual_faces()));
+  const bool has_left_out = !map.input_indices().vertices.empty();
+  if (has_left_out)
+    ply.header(
+      "comment input_vertex is the number of a vertex in the input, -1 of an added one; those that are "
+      "missing belong to no face");
   ply.header("element vertex " + std::to_string(map.number_of_vertices()));
   for (const char* name : {"x", "y", "z"}) ply.header(std::string("property double ") + name);
   for (const std::string& name : internal::domain_properties<Atlas>()) ply.header("property double " + name);
+  if (has_left_out) ply.header("property int input_vertex");
   ply.header("element face " + std::to_string(map.number_of_faces()));
   ply.header("property list uchar int vertex_indices");
   ply.header("property int chart");
@@ -129,6 +158,7 @@ void write_map(const std::string& file, const Manifold_map<Atlas>& map,
   for (std::size_t v = 0; v < map.number_of_vertices(); ++v) {
     ply.values(map.point(v));
     ply.values(map.domain_point(v));
+    if (has_left_out) ply.value(map.input_vertex(v));
     ply.end_row();
   }
   internal::write_ply_triangles(ply, map.faces(), [&](int f) { ply.value(map.chart(f)); });

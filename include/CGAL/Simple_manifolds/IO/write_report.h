@@ -16,6 +16,7 @@
 #include <CGAL/Simple_manifolds/IO/internal/report/control_cells.h>
 #include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
+#include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
 
 #include <Eigen/Core>
@@ -145,7 +146,7 @@ template <class Map>
 void write_report(const std::string& file, const Map& map, const nlohmann::ordered_json& figures,
                   std::string_view page)
 {
-  internal::Report_writer<Map>(map, figures).write(file, page);
+  internal::Report_writer<internal::Map_on_arrays<Map>>(map, figures).write(file, page);
 }
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -157,7 +158,7 @@ template <class Map, class Surface>
 void write_report(const std::string& file, const Map& map, const Surface& surface, const Fit_report& report,
                   const nlohmann::ordered_json& figures, std::string_view page)
 {
-  internal::Report_writer<Map> writer(map, figures);
+  internal::Report_writer<internal::Map_on_arrays<Map>> writer(map, figures);
   writer.add_surface(surface, report);
   writer.write(file, page);
 }

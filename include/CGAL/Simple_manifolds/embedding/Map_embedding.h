@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
+#include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -98,13 +99,16 @@ private:
   int chart_;
 };
 
+template <class Map>
+Map_embedding(const Map&, int) -> Map_embedding<internal::Map_on_arrays<Map>>;
+
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///
 /// One `Map_embedding` for each chart, as `Manifold_surface` takes them. The map must outlive them.
 template <class Map>
-std::vector<Map_embedding<Map>> map_embeddings(const Map& map)
+std::vector<Map_embedding<internal::Map_on_arrays<Map>>> map_embeddings(const Map& map)
 {
-  std::vector<Map_embedding<Map>> charts;
+  std::vector<Map_embedding<internal::Map_on_arrays<Map>>> charts;
   for (int c = 0; c < Map::Atlas::number_of_charts; ++c) charts.emplace_back(map, c);
   return charts;
 }

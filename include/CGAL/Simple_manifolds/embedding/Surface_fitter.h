@@ -13,6 +13,7 @@
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Refining_fit.h>
+#include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
 
 #include <CGAL/assertions.h>
@@ -94,6 +95,10 @@ public:
 private:
   internal::Refining_fit<Map, Bump> fit_;
 };
+
+template <class Map, class Bump = Smoothstep_bump<2>>
+Surface_fitter(const Map&, const Fit_options& = Fit_options(), const Bump& = Bump())
+  -> Surface_fitter<internal::Map_on_arrays<Map>, Bump>;
 
 } // namespace Simple_manifolds
 } // namespace CGAL

@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/embedding/Surface_fitter.h>
+#include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
 #include <CGAL/Simple_manifolds/parameters.h>
 
 #include <CGAL/tags.h>
@@ -99,7 +100,7 @@ auto fit_surface(const Map& map, const NamedParameters& np = parameters::default
   Fit_report& report = choose_parameter(get_parameter_reference(np, internal_np::fit_report), unused);
   const Bump bump = choose_parameter(get_parameter(np, internal_np::bump), Bump());
 
-  Surface_fitter<Map, Bump, ConcurrencyTag> fitter(map, options, bump);
+  Surface_fitter<internal::Map_on_arrays<Map>, Bump, ConcurrencyTag> fitter(map, options, bump);
   auto surface = fitter.fit(visitor);
   report = fitter.report();
   return surface;

@@ -11,6 +11,7 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/domain_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/location/Point_locator.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
+#include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 
 #include <CGAL/assertions.h>
@@ -115,6 +116,9 @@ private:
   const Map* map_;
   int n_;
 };
+
+template <class Map>
+Mesh_vertex_count(const Map&, int) -> Mesh_vertex_count<internal::Map_on_arrays<Map>>;
 
 } // namespace Simple_manifolds
 } // namespace CGAL

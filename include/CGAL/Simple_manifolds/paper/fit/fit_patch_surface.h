@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
+#include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
 #include <CGAL/Simple_manifolds/paper/fit/Patch_fit_options.h>
 #include <CGAL/Simple_manifolds/paper/fit/Patch_fit_report.h>
 #include <CGAL/Simple_manifolds/paper/fit/internal/Patch_fitter.h>
@@ -105,7 +106,9 @@ auto fit_patch_surface(const Map& map, const NamedParameters& np = parameters::d
   Patch_fit_report& wanted_report =
     choose_parameter(get_parameter_reference(np, internal_np::patch_fit_report), unused);
   const Bump bump = choose_parameter(get_parameter(np, internal_np::bump), Bump());
-  auto surface = internal::Patch_fitter<Map, Bump, ConcurrencyTag>(map, options, bump).fit(report, visitor);
+  auto surface =
+    internal::Patch_fitter<internal::Map_on_arrays<Map>, Bump, ConcurrencyTag>(map, options, bump)
+      .fit(report, visitor);
   wanted_report = std::move(report); // only now: a cancelled fit changes nothing
   return surface;
 }

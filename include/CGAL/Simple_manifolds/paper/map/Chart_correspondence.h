@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_PAPER_MAP_CHART_CORRESPONDENCE_H
 
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
+#include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
 #include <CGAL/Simple_manifolds/paper/map/Triangle_bins.h>
 
 #include <CGAL/assertions.h>
@@ -169,6 +170,9 @@ private:
   std::vector<std::vector<int>> faces_; // per chart
   std::vector<Triangle_bins> bins_;
 };
+
+template <class Map>
+Chart_correspondence(const Map&) -> Chart_correspondence<internal::Map_on_arrays<Map>>;
 
 } // namespace Simple_manifolds
 } // namespace CGAL
