@@ -57,6 +57,16 @@ if(PART STREQUAL good_input)
     message(SEND_ERROR "samples.csv has ${count} lines instead of 11")
   endif()
 
+  # Vertices of no face are left out: that is said, and map.ply has the numbers of the others.
+  set(tetrahedron "0 0 0\n1 0 0\n8 8 8\n0 1 0\n0 0 1\n3 1 4 2\n3 1 2 5\n3 2 4 5\n3 4 1 5\n")
+  file(WRITE ${WORK}/unused.off "OFF\n6 4 0\n9 9 9\n${tetrahedron}")
+  execute_process(COMMAND ${MAP_MESH} ${WORK}/unused.off -o ${WORK}/unused.ply OUTPUT_VARIABLE out)
+  file(STRINGS ${WORK}/unused.ply numbered REGEX "^property int input_vertex$")
+  file(STRINGS ${WORK}/sphere.ply not_numbered REGEX "^property int input_vertex$")
+  if(NOT out MATCHES "left out +2 vertices of no face\n" OR NOT numbered OR not_numbered)
+    message(SEND_ERROR "vertices of no face: they are not named in the map, or others are:\n${out}")
+  endif()
+
   # What a person reads: a dozen lines with units, none of them long, and a row per chart.
   execute_process(COMMAND ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/new/sphere --tolerance 0.05 --samples 10
     OUTPUT_VARIABLE out)

@@ -63,6 +63,8 @@ private:
     line("mesh", count(map_["vertices"], "vertices") + ", " + count(map_["faces"], "faces") + ", " +
                    (loops == 0 ? "closed" : count(loops, loops == 1 ? "border" : "borders")) + ", genus " +
                    count(input["genus"]) + (input["inward_oriented"] ? ", inward oriented" : ""));
+    if (const int unused = input["isolated_vertices"]; unused > 0)
+      line("left out", count(unused, unused == 1 ? "vertex" : "vertices") + " of no face");
     line("map", "onto the " + map_["atlas"].get<std::string>() + ", one to one by proof: " +
                   count(map_["flipped"]) + " faces flipped, degree " + shown(map_["degree"]));
     line("angle distortion", shown(map_["angle"]) + " on average, 1 is conformal");

@@ -10,12 +10,16 @@
 /// combination of the copies nearest to each other on the torus and the square. All faces are positively
 /// oriented in the domain.
 ///
+/// Vertices and faces are named by their positions, from 0 on, which any built-in integer type may hold. `Mesh_map` also
+/// takes the descriptors of its mesh.
+///
 /// All members are const and may be called from several threads.
 ///
 /// \cgalRefines{CopyConstructible}
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{CGAL::Simple_manifolds::Manifold_map<Atlas>}
+/// \cgalHasModels{CGAL::Simple_manifolds::Mesh_map<FaceListGraph,Atlas>}
 /// \cgalHasModelsEnd
 class ManifoldMap {
 public:
@@ -29,7 +33,8 @@ public:
   typedef unspecified_type Domain_point;
 
   /// A point of the mesh, with the members `int face` and `Eigen::Vector3d barycentric` (none negative,
-  /// sum 1). It can be made from these two in braces: `Location{face, barycentric}`.
+  /// sum 1). It can be made from these two in braces: `Location{face, barycentric}`. What `to_mesh()` returns
+  /// converts to it.
   typedef unspecified_type Location;
 
   /// @}

@@ -252,8 +252,8 @@ private:
   {
     static_assert(
       std::is_integral_v<Position>,
-      "a Manifold_map takes positions in its arrays; descriptors of the mesh are for the Mesh_map that "
-      "map_to_sphere(mesh) and the others return");
+      "a Manifold_map takes positions in its arrays: for descriptors of the mesh there is the Mesh_map "
+      "that map_to_sphere(mesh) and the others return");
     CGAL_precondition(static_cast<std::size_t>(i) < size);
     return static_cast<std::size_t>(i);
   }
