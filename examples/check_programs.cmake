@@ -68,24 +68,33 @@ if(PART STREQUAL good_input)
   endif()
 
   # What a person reads: a dozen lines with units, none of them long, and a row per chart.
-  execute_process(COMMAND ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/new/sphere --tolerance 0.05 --samples 10
-    OUTPUT_VARIABLE out)
-  foreach(line "closed, genus 0\n" " faces flipped, degree 1\n" "rms error +[0-9.e-]+ % of the diagonal [(]tolerance 5 %[)]\n"
-      "normals +[0-9.]+ degrees" "time +[0-9.]+ s to map and fit, [0-9.]+ s in all\n" "memory +[0-9.]+ MB"
-      "chart +vertices +controls +levels +rms error +largest\n" "\n +5 +[0-9]+ +[0-9]+ +[0-9]+ +[0-9.e-]+ % +[0-9.e-]+ %\n$")
-    if(NOT out MATCHES "${line}")
-      message(SEND_ERROR "fit_mesh does not say \"${line}\":\n${out}")
-    endif()
-  endforeach()
-  string(REPLACE "\n" ";" lines "${out}")
-  list(LENGTH lines count)
-  list(POP_FRONT lines file) # its name may be long
-  foreach(line ${lines})
-    string(LENGTH "${line}" length)
-    if(count GREATER 20 OR length GREATER 100)
-      message(SEND_ERROR "fit_mesh says ${count} lines, one with ${length} characters: ${line}")
-    endif()
-  endforeach()
+  function(says expected) # program, arguments
+    execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE out)
+    foreach(line ${expected})
+      if(NOT out MATCHES "\n +${line}\n")
+        message(SEND_ERROR "there is no line \"${line}\":\n${out}")
+      endif()
+    endforeach()
+    string(REPLACE "\n" ";" lines "${out}")
+    list(POP_FRONT lines file) # its name may be long
+    list(LENGTH lines count)
+    foreach(line ${lines})
+      string(LENGTH "${line}" length)
+      if(count GREATER 22 OR length GREATER 100)
+        message(SEND_ERROR "${count} lines, and one with ${length} characters: ${line}")
+      endif()
+    endforeach()
+  endfunction()
+  set(map "mesh +162 vertices, 320 faces, closed, genus 0" "map +onto the sphere, .* 0 faces flipped, degree 1"
+    "memory +[0-9.]+ MB at most")
+  set(fit ${map} "normals +[0-9.]+ degrees rms from those of the faces"
+    "time +[0-9.e-]+ s to map and fit, [0-9.e-]+ s in all")
+  says("${map};time +[0-9.e-]+ s to map, [0-9.e-]+ s in all;chart +vertices;5 +[0-9]+"
+    ${MAP_MESH} ${MESHES}/sphere.off -o ${WORK}/sphere.ply)
+  says("${fit};rms error +[0-9.e-]+ % of the diagonal [(]tolerance 5 %[)];5 +[0-9]+ +[0-9]+ +1 +[0-9.e-]+ % +[0-9.e-]+ %"
+    ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/new/sphere --tolerance 0.05 --samples 10)
+  says("${fit};weighted error +.* in the worst chart [(]tolerance 5 %[)];chart +vertices +controls +patches +rms error +largest"
+    ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/new/paper --method paper --tolerance 0.05)
 
   # The paper's map and patches together, and each with the other's partner.
   run(0 "" ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/new/paper --method paper --tolerance 0.01 --samples 10 --quiet)

@@ -70,7 +70,7 @@ private:
     line("angle distortion", shown(map_["angle"]) + " on average, 1 is conformal");
     line("area distortion",
          (map_["area"].is_number() ? shown(std::pow(10, map_["area"].get<double>())) : "infinite") +
-           " times too large or too small on average");
+           " on average, 1 keeps areas");
   }
 
   void add_surface(const Json& s)
@@ -85,9 +85,9 @@ private:
         average = (std::max)(average, c["average_delta"].get<double>());
         largest = (std::max)(largest, c["max_delta"].get<double>());
       }
-      line("weighted error", percent(average) + " of the diagonal on average in the worst chart" +
-                               tolerance(p["tolerance"]) + ", at most " + percent(largest) +
-                               tolerance(p["max_tolerance"]));
+      line("weighted error",
+           percent(average) + " of the diagonal on average in the worst chart" + tolerance(p["tolerance"]));
+      line("largest of them", percent(largest) + " of the diagonal" + tolerance(p["max_tolerance"]));
     } else if (p["marking"] == "vertices") {
       line("at vertices", percent(s["vertex_rms_error"]) + " of the diagonal rms" +
                             tolerance(p["tolerance"]) + ", at most " + percent(s["vertex_max_error"]) +
