@@ -244,8 +244,8 @@ void measure_all(const std::string& name, const Mesh& mesh, const std::vector<do
                  std::size_t max_controls, Table& table)
 {
   // angles rather than areas: 15 to 30 % less error than with the default map
-  const auto any = SM::map_to_canonical_surface<Tag>(
-    mesh, SM::parameters::energy(SM::Energy::AMIPS).energy_lambda(0.1).area_floor(0.02));
+  const auto any =
+    SM::map_to_canonical_surface<Tag>(mesh, SM::parameters::map_options(SM::map_options_for_fitting()));
   std::visit(
     [&](const auto& map) {
       using Map = std::decay_t<decltype(map)>;

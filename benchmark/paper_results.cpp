@@ -204,10 +204,8 @@ void add_rows(const std::string& name, const Mesh& mesh, const std::filesystem::
     },
     paper_map);
 
-  const SM::Map_options o = SM::map_options_for_fitting();
   const auto default_map = timed(seconds, [&] {
-    return SM::map_to_canonical_surface(
-      mesh, SM::parameters::energy(o.energy).energy_lambda(o.lambda).area_floor(o.area_floor));
+    return SM::map_to_canonical_surface(mesh, SM::parameters::map_options(SM::map_options_for_fitting()));
   });
   standard.values["map_seconds"] = shown(seconds);
   std::visit(

@@ -346,11 +346,8 @@ int main(int argc, char** argv)
     SM::Partition_report partition;
     const auto any_map = watch.time("map", [&] {
       if (is_paper(options)) return map_by_partition(options, input, partition, progress);
-      const SM::Map_options o = SM::map_options_for_fitting();
       return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
-        input.mesh, SM::parameters::energy(o.energy)
-                      .energy_lambda(o.lambda)
-                      .area_floor(o.area_floor)
+        input.mesh, SM::parameters::map_options(SM::map_options_for_fitting())
                       .close_borders(close_borders(options))
                       .corners(square_corners)
                       .visitor(std::ref(progress)));

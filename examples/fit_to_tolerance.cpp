@@ -29,9 +29,7 @@ int main(int argc, char** argv)
     SM::read_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/hand.off"), mesh);
 
     //! [fit]
-    const SM::Map_options o = SM::map_options_for_fitting();
-    const auto map = SM::map_to_sphere(
-      mesh, SM::parameters::energy(o.energy).energy_lambda(o.lambda).area_floor(o.area_floor));
+    const auto map = SM::map_to_sphere(mesh, SM::parameters::map_options(SM::map_options_for_fitting()));
 
     SM::Fit_report report;
     const auto out = SM::parameters::fit_report(std::ref(report));

@@ -26,8 +26,8 @@ int main(int argc, char** argv)
     //! [integrals]
     const auto np = SM::parameters::relative_error(1e-5); // more digits cost more time
     const SM::Integral area = SM::area<Tag>(surface, np), volume = SM::volume<Tag>(surface, np);
-    std::cout << "area " << area.value << " +- " << area.error << ", volume " << volume.value << " +- "
-              << volume.error << '\n';
+    std::cout << "area " << area.value << " +- " << area.quadrature_error << ", volume " << volume.value
+              << " +- " << volume.quadrature_error << '\n';
 
     // Any function of the jet can be integrated: here z^2 n_z / 2, whose flux is the first moment of z.
     const SM::Integral moment = SM::integrate<Tag, 1>(
@@ -37,7 +37,7 @@ int main(int argc, char** argv)
     const SM::Integral curvature =
       SM::integrate<Tag>(surface, SM::gaussian_curvature, SM::parameters::relative_error(1e-3));
     //! [integrals]
-    std::cout << "total curvature " << curvature.value << " +- " << curvature.error
+    std::cout << "total curvature " << curvature.value << " +- " << curvature.quadrature_error
               << "; by the theorem of Gauss and Bonnet it is 4 pi = 12.56637\n";
   } catch (const SM::Error& e) {
     std::cerr << e.what() << std::endl;

@@ -13,6 +13,8 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/Visitor.h>
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
 #include <CGAL/Simple_manifolds/parameters.h>
 
 #include <CGAL/Simple_manifolds/atlas/Bump_functions.h>

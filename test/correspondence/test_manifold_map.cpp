@@ -174,6 +174,15 @@ TEST_CASE("points of an edge lie in one of its two faces, on the edge")
   CHECK(map.position(r) == Eigen::Vector3d(0.3, 1, 0));
 }
 
+TEST_CASE("a hint may be an integer of any type, a point an expression")
+{
+  const auto map = map_of(sample::square_grid(2, 2));
+  const Eigen::Vector2d p(0.3, 0.2);
+  CHECK(map.to_mesh(p, std::size_t(3)).face == map.to_mesh(p, 3).face);
+  CHECK(map.to_mesh(p + Eigen::Vector2d(0.1, 0.2), 3u).barycentric ==
+        map.to_mesh(Eigen::Vector2d(p + Eigen::Vector2d(0.1, 0.2)), 3).barycentric);
+}
+
 TEST_CASE("points outside of the domain are brought into it first")
 {
   const auto square = map_of(sample::square_grid(2, 2));

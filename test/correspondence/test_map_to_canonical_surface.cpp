@@ -8,6 +8,7 @@
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -206,6 +207,20 @@ TEST_CASE("Energy, lambda, area floor and effort do what they say", "[map]")
   CHECK(even.certificate().smallest_domain_area > SM::map_to_sphere(mesh).certificate().smallest_domain_area);
 }
 
+TEST_CASE("Options go into one parameter, and single parameters go before it, in any order", "[map]")
+{
+  namespace parameters = SM::parameters;
+  const Mesh mesh = read("hand.off");
+  const auto points = [&](const auto& np) { return SM::map_to_sphere(mesh, np).domain_points(); };
+  SM::Map_options options = SM::map_options_for_fitting();
+  const auto for_fitting = points(parameters::map_options(options));
+  CHECK(for_fitting == points(parameters::energy(SM::Energy::AMIPS).energy_lambda(0.1).area_floor(0.02)));
+  CHECK(for_fitting != points(parameters::default_values()));
+  options.lambda = 0.5;
+  CHECK(for_fitting == points(parameters::map_options(options).energy_lambda(0.1)));
+  CHECK(for_fitting == points(parameters::energy_lambda(0.1).map_options(options)));
+}
+
 TEST_CASE("Meshes of other topology are refused with their numbers", "[map]")
 {
   const auto code = [](const Mesh& mesh, const auto& map) {
@@ -307,6 +322,27 @@ TEST_CASE("Domain points go into the caller's property map, of a polyhedron too"
   REQUIRE(domain_points.size() == num_vertices(mesh));
   std::size_t i = 0;
   for (const auto v : vertices(polyhedron)) CHECK(domain_points.at(v) == map.domain_point(i++));
+}
+
+TEST_CASE("Property maps of points of any kernel take domain points", "[map]")
+{
+  using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  Mesh sphere = read("hand.off");
+  const auto on_sphere = sphere.add_property_map<Mesh::Vertex_index, Point_3>("v:domain").first;
+  const auto sphere_map = SM::map_to_sphere(sphere, SM::parameters::domain_point_map(on_sphere));
+  std::size_t i = 0;
+  for (const auto v : vertices(sphere)) {
+    const Eigen::Vector3d& p = sphere_map.domain_point(i++);
+    CHECK(on_sphere[v] == Point_3(p.x(), p.y(), p.z()));
+  }
+  Mesh disk = read("nefertiti.off");
+  const auto on_square = disk.add_property_map<Mesh::Vertex_index, Exact_kernel::Point_2>("v:domain").first;
+  const auto disk_map = SM::map_to_plane(disk, SM::parameters::domain_point_map(on_square));
+  i = 0;
+  for (const auto v : vertices(disk)) {
+    const Eigen::Vector2d& p = disk_map.domain_point(i++);
+    CHECK(on_square[v] == Exact_kernel::Point_2(p.x(), p.y()));
+  }
 }
 
 TEST_CASE("Size and orientation are told at all scales, and midpoints do not overflow", "[map]")

@@ -45,7 +45,7 @@ TEST_CASE("A surface needs no more of a chart embedding than the concept says")
     CHECK((sphere.normal(p) - p).norm() < 1e-14);
     CHECK(std::abs(sphere.mean_curvature(p) - 1) < 1e-13);
     CHECK(std::abs(sphere.gaussian_curvature(p) - 1) < 1e-13);
-    CHECK(std::abs(sphere.principal_curvatures(p).first - 1) < 1e-13);
+    CHECK(std::abs(sphere.principal_curvatures(p).k1 - 1) < 1e-13);
     std::vector<Eigen::Vector3d> points;
     sphere.points(std::vector<Eigen::Vector3d>{p, p}, std::back_inserter(points));
     CHECK(points.size() == 2);

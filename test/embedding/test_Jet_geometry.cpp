@@ -78,8 +78,8 @@ TEST_CASE("The unit sphere has normal outward and curvatures plus one")
   CHECK((SM::normal(e) - p).norm() < 1e-15);
   CHECK(std::abs(SM::mean_curvature(e) - 1) < 1e-15);
   CHECK(std::abs(SM::gaussian_curvature(e) - 1) < 1e-15);
-  CHECK(std::abs(SM::principal_curvatures(e).first - 1) < 1e-15);
-  CHECK(std::abs(SM::principal_curvatures(e).second - 1) < 1e-15);
+  CHECK(std::abs(SM::principal_curvatures(e).k1 - 1) < 1e-15);
+  CHECK(std::abs(SM::principal_curvatures(e).k2 - 1) < 1e-15);
   CHECK(std::abs(SM::area_element(e) - std::cos(s)) < 1e-15);
 }
 
@@ -93,8 +93,8 @@ TEST_CASE("Curvatures of paraboloids, in any parametrisation")
       CHECK((SM::normal(e) - Vector3d(0, 0, 1)).norm() < 1e-15);
       CHECK(std::abs(SM::mean_curvature(e) - mean) < 1e-14);
       CHECK(std::abs(SM::gaussian_curvature(e) - (a * c - b * b)) < 1e-14);
-      CHECK(std::abs(SM::principal_curvatures(e).first - (mean + root)) < 1e-14);
-      CHECK(std::abs(SM::principal_curvatures(e).second - (mean - root)) < 1e-14);
+      CHECK(std::abs(SM::principal_curvatures(e).k1 - (mean + root)) < 1e-14);
+      CHECK(std::abs(SM::principal_curvatures(e).k2 - (mean - root)) < 1e-14);
     }
   }
 }
@@ -116,7 +116,7 @@ TEST_CASE("Where the derivatives are dependent all results are NaN")
   CHECK(std::isnan(SM::normal(e).x()));
   CHECK(std::isnan(SM::mean_curvature(e)));
   CHECK(std::isnan(SM::gaussian_curvature(e)));
-  CHECK(std::isnan(SM::principal_curvatures(e).first));
+  CHECK(std::isnan(SM::principal_curvatures(e).k1));
   CHECK(std::isnan(SM::shape_operator(e)(0, 0)));
   const SM::Principal_directions d = SM::principal_directions(e);
   for (double x : {d.k1, d.k2, d.direction1.x(), d.direction2.x(), d.uv1.x(), d.uv2.x()})

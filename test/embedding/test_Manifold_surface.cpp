@@ -80,8 +80,8 @@ void check_chart_independence(const Surface& surface)
       CHECK((surface.normal(a) - n).norm() < 1e-12);
       CHECK(std::abs(surface.mean_curvature(a) - H) < 1e-12 * scale);
       CHECK(std::abs(surface.gaussian_curvature(a) - K) < 1e-12 * scale);
-      CHECK(std::abs(surface.principal_curvatures(a).first - k1) < 1e-12 * scale);
-      CHECK(std::abs(surface.principal_curvatures(a).second - k2) < 1e-12 * scale);
+      CHECK(std::abs(surface.principal_curvatures(a).k1 - k1) < 1e-12 * scale);
+      CHECK(std::abs(surface.principal_curvatures(a).k2 - k2) < 1e-12 * scale);
     }
   }
 }

@@ -325,6 +325,37 @@ TEST_CASE("Weights of vertices draw the surface to them")
   CHECK(error(0) > error(1));
 }
 
+TEST_CASE("Weights may be a temporary range; different ones give different surfaces")
+{
+  const SM::Manifold_map<SM::Sphere_atlas> map = octahedron_map(3, spike);
+  const std::size_t n = map.number_of_vertices();
+  std::vector<Vector3d> at_vertex_0;
+  for (int k = 1; k <= 6; ++k) {
+    const auto weights = [&] {
+      std::vector<double> w(n, 1);
+      w[0] = 10. * k;
+      return w;
+    };
+    const std::vector<double> lasting = weights();
+    const auto surface = SM::fit_surface(map, SM::parameters::vertex_weights(weights()).max_controls(294));
+    const auto same =
+      SM::fit_surface(map, SM::parameters::vertex_weights(std::cref(lasting)).max_controls(294));
+    const SM::Chart_point p = surface.best_chart_point(map.domain_point(0));
+    CHECK(surface.point(p) == same.point(p));
+    for (const Vector3d& x : at_vertex_0) CHECK(x != surface.point(p));
+    at_vertex_0.push_back(surface.point(p));
+  }
+}
+
+TEST_CASE("A fitter needs no visitor")
+{
+  const SM::Manifold_map<SM::Sphere_atlas> map = octahedron_map(2, bumpy_sphere);
+  SM::Surface_fitter<SM::Manifold_map<SM::Sphere_atlas>> fitter(map);
+  SM::Default_visitor visitor;
+  const SM::Chart_point middle{0, {0.5, 0.5}};
+  CHECK(fitter.fit().point(middle) == fitter.fit(visitor).point(middle));
+}
+
 TEST_CASE("Fairness smooths noise away")
 {
   std::mt19937 engine(7);

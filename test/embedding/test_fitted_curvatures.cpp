@@ -76,6 +76,6 @@ TEST_CASE("Areas and volumes of fitted surfaces are those of the true ones")
   CHECK(std::abs(SM::area(surface).value - SM::area(body).value) < 1e-5);
   const SM::Integral curvature =
     SM::integrate(surface, SM::gaussian_curvature, SM::parameters::relative_error(1e-5));
-  CHECK(std::abs(curvature.value - 4 * pi) <= curvature.error);
-  CHECK(curvature.error < 1e-3);
+  CHECK(std::abs(curvature.value - 4 * pi) <= curvature.quadrature_error);
+  CHECK(curvature.quadrature_error < 1e-3);
 }

@@ -93,6 +93,22 @@ public:
     return (1 + 0.3 * std::exp(-40 * (1 - p.dot(top)))) * p;
   }
 
+  template <int Order = 2>
+  SM::Jet jet(const Eigen::Vector2d& uv) const
+  {
+    const SM::Jet p = SM::Sphere_atlas().chart(chart_).point_jet(uv);
+    const Eigen::Vector3d top = Eigen::Vector3d(2, -3, 6) / 7;
+    const double g = 0.3 * std::exp(-40 * (1 - p.value.dot(top)));
+    const double u = 40 * p.u.dot(top), v = 40 * p.v.dot(top);
+    const SM::Scalar_jet height = {1 + g,
+                                   g * u,
+                                   g * v,
+                                   g * (40 * p.uu.dot(top) + u * u),
+                                   g * (40 * p.uv.dot(top) + u * v),
+                                   g * (40 * p.vv.dot(top) + v * v)};
+    return product(height, p);
+  }
+
 private:
   int chart_;
 };

@@ -164,6 +164,25 @@ TEST_CASE("normals are exact, and agree with the triangles")
   CHECK(worst > 0.95);
 }
 
+TEST_CASE("property maps take points and vectors of CGAL and of Eigen alike")
+{
+  const auto surface = ellipsoid(Eigen::Vector3d(1, 2, 3));
+  Mesh mesh;
+  const auto point = mesh.add_property_map<Mesh::Vertex_index, Point>("v:p").first;
+  const auto normal = mesh.add_property_map<Mesh::Vertex_index, Eigen::Vector3d>("v:n").first;
+  SM::tessellate(surface, mesh, SM::parameters::subdivisions(2).domain_point_map(point).normal_map(normal));
+  Mesh other;
+  const auto other_eigen = other.add_property_map<Mesh::Vertex_index, Eigen::Vector3d>("v:e").first;
+  const auto other_normal = other.add_property_map<Mesh::Vertex_index, Vector>("v:n").first;
+  SM::tessellate(surface, other,
+                 SM::parameters::subdivisions(2).domain_point_map(other_eigen).normal_map(other_normal));
+  REQUIRE(num_vertices(mesh) > 0);
+  for (const auto v : vertices(mesh)) {
+    CHECK(point[v] == Point(other_eigen[v].x(), other_eigen[v].y(), other_eigen[v].z()));
+    CHECK(Vector(normal[v].x(), normal[v].y(), normal[v].z()) == other_normal[v]);
+  }
+}
+
 TEST_CASE("each cell is cut along its shorter diagonal")
 {
   // A square cell whose diagonals are equal in space takes the first; a sheared one the shorter.

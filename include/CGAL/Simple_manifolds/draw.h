@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_DRAW_H
 #define CGAL_SIMPLE_MANIFOLDS_DRAW_H
 
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/IO/chart_colour.h>
 #include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
@@ -145,12 +147,19 @@ Coloured_mesh coloured_mesh(const Manifold_map<Atlas>& map)
 /// \ingroup PkgSimpleManifoldsDraw
 ///
 /// A tessellation of a surface, each tile in its colour.
-/// \param np  `subdivisions`, as for `tessellate()`
+/// \param np  named parameters
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{subdivisions} \cgalParamDescription{cells per side of a tile} \cgalParamType{`int`,
+///     at least 1} \cgalParamDefault{as many as make about 6000 cells} \cgalParamNEnd
+///   \cgalParamNBegin{tile_borders} \cgalParamDescription{where the tiles of the sphere meet}
+///     \cgalParamType{`Tile_borders`} \cgalParamDefault{`Tile_borders::EXACT`} \cgalParamNEnd
+/// \cgalNamedParamsEnd
 template <class Atlas, class ChartEmbedding, class Bump,
           class NamedParameters = parameters::Default_named_parameters>
 Coloured_mesh coloured_mesh(const Manifold_surface<Atlas, ChartEmbedding, Bump>& surface,
                             const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "subdivisions, tile_borders");
   Coloured_mesh mesh;
   const auto grid = internal::tile_grid(surface, np);
   std::vector<Eigen::Vector3d> points;

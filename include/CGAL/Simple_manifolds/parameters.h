@@ -19,6 +19,7 @@
   X(energy_lambda)       /* double: weight of area against angle in Energy::AMIPS */                         \
   X(area_floor)          /* double in (0,1]: share of uniform area in the target areas */                    \
   X(effort)              /* Effort: how long a map is relaxed */                                             \
+  X(map_options)         /* Map_options: the four above at once; each of them goes before it */              \
   X(vertex_weight_map)   /* ReadablePropertyMap vertex -> double: relative area in the domain */             \
   X(projection_weights)  /* Projection_weights: of neighbours, in the paper's method */                      \
   X(partition_report)    /* std::reference_wrapper<Partition_report> */                                      \

@@ -8,6 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_CHARTED_MESH_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_CHARTED_MESH_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
@@ -16,7 +19,6 @@
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
-#include <CGAL/Simple_manifolds/parameters.h>
 #include <CGAL/Simple_manifolds/tessellation/tessellate.h>
 
 #include <Eigen/Core>
@@ -133,9 +135,9 @@ template <class Surface, class NamedParameters>
 auto grid_or_triangulation(const Surface& surface, const NamedParameters& np)
 {
   if constexpr (is_adaptive<NamedParameters>)
-    return adaptive_triangulation(surface, np);
+    return internal::adaptive_triangulation(surface, np);
   else
-    return tile_grid(surface, np);
+    return internal::tile_grid(surface, np);
 }
 
 // |E(p) - M(p)| / diagonal
@@ -153,6 +155,21 @@ Charted_mesh::Field error_field(const Surface& surface, const Map& map,
   return field;
 }
 
+template <class Surface, class NamedParameters>
+Charted_mesh charted_tessellation(const Surface& surface, const NamedParameters& np)
+{
+  return tessellation_over(surface, grid_or_triangulation(surface, np));
+}
+
+template <class Surface, class Map, class NamedParameters>
+Charted_mesh charted_tessellation(const Surface& surface, const Map& map, const NamedParameters& np)
+{
+  const auto grid = grid_or_triangulation(surface, np);
+  Charted_mesh mesh = tessellation_over(surface, grid);
+  mesh.fields.push_back(error_field(surface, map_on_arrays(map), grid.domain_points()));
+  return mesh;
+}
+
 } // namespace internal
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -161,12 +178,16 @@ Charted_mesh::Field error_field(const Surface& surface, const Map& map,
 /// `mean_curvature`, `gaussian_curvature` and the domain point: `domain_x domain_y domain_z` (sphere) or
 /// `domain_u domain_v`. The chart of a triangle is that of its tile.
 ///
-/// \param np  what `tessellate()` takes to say how fine the tessellation is: `subdivisions`, `chord_error`...
+/// \param np  the named parameters of `adaptive_triangulation()`; without a criterion there are `subdivisions` of the
+///   tiles, as in `tessellate()`
 template <class Surface, class NamedParameters = parameters::Default_named_parameters>
 Charted_mesh charted_tessellation(const Surface& surface,
                                   const NamedParameters& np = parameters::default_values())
 {
-  return internal::tessellation_over(surface, internal::grid_or_triangulation(surface, np));
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_TESSELLATION_PARAMETERS);
+  CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, tessellation_report);
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_SIZING(internal::Sizing_of<NamedParameters>, typename Surface::Atlas);
+  return internal::charted_tessellation(surface, np);
 }
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -177,10 +198,11 @@ Charted_mesh charted_tessellation(const Surface& surface,
 template <class Surface, class Map, class NamedParameters>
 Charted_mesh charted_tessellation(const Surface& surface, const Map& map, const NamedParameters& np)
 {
-  const auto grid = internal::grid_or_triangulation(surface, np);
-  Charted_mesh mesh = internal::tessellation_over(surface, grid);
-  mesh.fields.push_back(internal::error_field(surface, internal::map_on_arrays(map), grid.domain_points()));
-  return mesh;
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MAP(Map);
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_TESSELLATION_PARAMETERS);
+  CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, tessellation_report);
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_SIZING(internal::Sizing_of<NamedParameters>, typename Surface::Atlas);
+  return internal::charted_tessellation(surface, map, np);
 }
 
 /// \ingroup PkgSimpleManifoldsIO

@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_MAP_IO_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_MAP_IO_H
 
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
 #include <CGAL/Simple_manifolds/IO/internal/Ply_file.h>
@@ -18,7 +20,6 @@
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
-#include <CGAL/Simple_manifolds/parameters.h>
 
 #include <cmath>
 #include <cstddef>
@@ -125,18 +126,19 @@ Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
 /// each vertex also has `input_vertex`, its number in the input (-1: it was added); without it the rows are those of
 /// the input. What is read back is the same to the last bit, and so is its certificate.
 ///
-/// \param np  `use_binary_mode` (default: true; false writes text)
+/// \param np  named parameters
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{use_binary_mode} \cgalParamDescription{whether the file is binary, not text}
+///     \cgalParamType{`bool`} \cgalParamDefault{`true`} \cgalParamNEnd
+/// \cgalNamedParamsEnd
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
 template <class Atlas, class NamedParameters = parameters::Default_named_parameters>
 void write_map(const std::string& file, const Manifold_map<Atlas>& map,
                const NamedParameters& np = parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "use_binary_mode");
   Atomic_file output(file);
-  internal::Ply_rows ply(output.stream(),
-                         choose_parameter(get_parameter(np, CGAL::internal_np::use_binary_mode), true));
+  internal::Ply_rows ply(output.stream(), internal::parameter(np, CGAL::internal_np::use_binary_mode, true));
   ply.header("comment simple_manifolds map");
   ply.header(std::string("comment atlas ") + Atlas::name);
   ply.header("comment input_vertices " + std::to_string(map.number_of_input_vertices()));

@@ -8,6 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_READ_MESH_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_READ_MESH_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/internal/File_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/Ply_file.h>
@@ -15,7 +18,7 @@
 #include <CGAL/Simple_manifolds/IO/internal/read_text_formats.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 #include <CGAL/Simple_manifolds/internal/add_soup.h>
-#include <CGAL/Simple_manifolds/parameters.h>
+#include <CGAL/Simple_manifolds/internal/put_vector.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -68,7 +71,12 @@ inline File_mesh read_file_mesh(const std::string& file)
 ///
 /// \param file  the extension says the format; OFF and OBJ are text, PLY and STL text or binary
 /// \param mesh  a model of `MutableFaceGraph`; it receives the vertices and faces in the file's order
-/// \param np    `vertex_point_map`
+/// \param np  named parameters
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map} \cgalParamDescription{where the positions of the vertices are put}
+///     \cgalParamType{model of `WritablePropertyMap`: vertex to `Point_3`}
+///     \cgalParamDefault{`get_property_map(CGAL::vertex_point, mesh)`} \cgalParamNEnd
+/// \cgalNamedParamsEnd
 /// \return the topology of what was read
 ///
 /// \throw IO_error when the file is missing, empty, truncated, of another format, or refers to a vertex
@@ -80,21 +88,16 @@ template <class MutableFaceGraph, class NamedParameters = parameters::Default_na
 Mesh_topology read_mesh(const std::string& file, MutableFaceGraph& mesh,
                         const NamedParameters& np = parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MESH(MutableFaceGraph);
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "vertex_point_map");
   const internal::File_mesh contents = internal::read_file_mesh(file);
   std::vector<int> opposite;
   const Mesh_topology result = internal::checked_topology(file, contents, opposite);
 
-  auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                 get_property_map(CGAL::vertex_point, mesh));
-  using Point = typename boost::property_traits<decltype(points)>::value_type;
-
-  internal::add_soup(contents, opposite, mesh, [&](int i, auto v) {
-    const Eigen::Vector3d& p = contents.points[i];
-    put(points, v, Point(p.x(), p.y(), p.z()));
-  });
+  const auto points =
+    internal::parameter(np, CGAL::internal_np::vertex_point, get_property_map(CGAL::vertex_point, mesh));
+  internal::add_soup(contents, opposite, mesh,
+                     [&](int i, auto v) { internal::put_vector(points, v, contents.points[i]); });
   return result;
 }
 

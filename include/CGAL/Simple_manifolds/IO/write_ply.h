@@ -8,10 +8,11 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_WRITE_PLY_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_WRITE_PLY_H
 
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
-#include <CGAL/Simple_manifolds/parameters.h>
 
 #include <CGAL/assertions.h>
 
@@ -29,20 +30,22 @@ namespace Simple_manifolds {
 /// the chart point `chart u v` and all fields, in double precision; faces have a `chart`, or -1.
 ///
 /// \pre `mesh.is_valid()`
-/// \param np  `use_binary_mode` (default: true; false writes text)
+/// \param np  named parameters
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{use_binary_mode} \cgalParamDescription{whether the file is binary, not text}
+///     \cgalParamType{`bool`} \cgalParamDefault{`true`} \cgalParamNEnd
+/// \cgalNamedParamsEnd
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
 template <class NamedParameters = parameters::Default_named_parameters>
 void write_ply(const std::string& file, const Charted_mesh& mesh,
                const NamedParameters& np = parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "use_binary_mode");
   CGAL_precondition(mesh.is_valid());
   const bool has_normals = !mesh.normals.empty();
 
   Atomic_file output(file);
-  internal::Ply_rows ply(output.stream(),
-                         choose_parameter(get_parameter(np, CGAL::internal_np::use_binary_mode), true));
+  internal::Ply_rows ply(output.stream(), internal::parameter(np, CGAL::internal_np::use_binary_mode, true));
   const auto doubles = [&](const auto&... names) {
     (ply.header(std::string("property double ") + names), ...);
   };

@@ -8,13 +8,15 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_WRITE_TESSELLATION_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_WRITE_TESSELLATION_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
 #include <CGAL/Simple_manifolds/IO/write_ply.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
-#include <CGAL/Simple_manifolds/parameters.h>
 
 #include <string>
 #include <vector>
@@ -24,18 +26,33 @@
 namespace CGAL {
 namespace Simple_manifolds {
 
+namespace internal {
+
+// Of the parameters, those of write_ply().
+template <class NamedParameters>
+auto binary_mode(const NamedParameters& np)
+{
+  return CGAL::parameters::use_binary_mode(parameter(np, CGAL::internal_np::use_binary_mode, true));
+}
+
+} // namespace internal
+
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// Writes a `charted_tessellation()` of a surface as a PLY file. Vertices have position `x y z`, normal
 /// `nx ny nz`, chart point `chart u v`, `mean_curvature`, `gaussian_curvature` and the domain point.
 ///
-/// \param np  those of `charted_tessellation()`, and `use_binary_mode` (default: true; false writes text)
+/// \param np  the named parameters of `charted_tessellation()` and of `write_ply()`
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
 template <class Surface, class NamedParameters = parameters::Default_named_parameters>
 void write_tessellation(const std::string& file, const Surface& surface,
                         const NamedParameters& np = parameters::default_values())
 {
-  write_ply(file, charted_tessellation(surface, np), np);
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters,
+                                         CGAL_SIMPLE_MANIFOLDS_TESSELLATION_PARAMETERS ", use_binary_mode");
+  CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, tessellation_report);
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_SIZING(internal::Sizing_of<NamedParameters>, typename Surface::Atlas);
+  write_ply(file, internal::charted_tessellation(surface, np), internal::binary_mode(np));
 }
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -47,7 +64,12 @@ template <class Surface, class Map, class NamedParameters>
 void write_tessellation(const std::string& file, const Surface& surface, const Map& map,
                         const NamedParameters& np)
 {
-  write_ply(file, charted_tessellation(surface, map, np), np);
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MAP(Map);
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters,
+                                         CGAL_SIMPLE_MANIFOLDS_TESSELLATION_PARAMETERS ", use_binary_mode");
+  CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, tessellation_report);
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_SIZING(internal::Sizing_of<NamedParameters>, typename Surface::Atlas);
+  write_ply(file, internal::charted_tessellation(surface, map, np), internal::binary_mode(np));
 }
 
 /// \ingroup PkgSimpleManifoldsIO

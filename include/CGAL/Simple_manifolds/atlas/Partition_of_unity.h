@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_ATLAS_PARTITION_OF_UNITY_H
 #define CGAL_SIMPLE_MANIFOLDS_ATLAS_PARTITION_OF_UNITY_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+
 #include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
@@ -39,6 +41,9 @@ namespace Simple_manifolds {
 /// \tparam Bump_   a model of `BumpFunction`
 template <class Atlas_, class Bump_ = Smoothstep_bump<2>>
 class Partition_of_unity {
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_ATLAS(Atlas_);
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_BUMP(Bump_);
+
 public:
   using Atlas = Atlas_;                              ///< the canonical surface with its charts
   using Bump = Bump_;                                ///< the bump function

@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MANIFOLD_MAP_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MANIFOLD_MAP_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/Input_indices.h>
@@ -51,6 +53,8 @@ namespace Simple_manifolds {
 /// \cgalModels{ManifoldMap}
 template <class Atlas_>
 class Manifold_map {
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_ATLAS(Atlas_);
+
 public:
   using Atlas = Atlas_;                              ///< the canonical surface with its charts
   using Domain_point = typename Atlas::Domain_point; ///< a point of the canonical surface
@@ -207,9 +211,14 @@ public:
   /// The locations of a range of domain points, in order; each search starts at the one before.
   /// \tparam Range  of `Domain_point`
   /// \tparam OutputIterator  for `Location`
-  template <class Range, class OutputIterator>
+  template <
+    class Range, class OutputIterator,
+    std::enable_if_t<!std::is_convertible_v<const Range&, Domain_point>, int> = 0> // a point is no range
   OutputIterator to_mesh(const Range& points, OutputIterator out) const
   {
+    static_assert(
+      std::is_convertible_v<typename internal::Range_element<const Range>::type, const Domain_point&>,
+      "the range is none of domain points");
     int hint = -1;
     for (const Domain_point& p : points) {
       const Location found = to_mesh(p, hint);

@@ -8,11 +8,16 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_OPTIONS_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_OPTIONS_H
 
-#include <CGAL/Simple_manifolds/parameters.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
 
 #include <CGAL/assertions.h>
 
 /// \file
+
+// The named parameters that all maps have in common.
+#define CGAL_SIMPLE_MANIFOLDS_MAP_PARAMETERS                                                                 \
+  "close_borders, energy, energy_lambda, area_floor, effort, map_options, "                                  \
+  "vertex_weight_map"
 
 namespace CGAL {
 namespace Simple_manifolds {
@@ -59,7 +64,8 @@ struct Landmark {
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
 ///
-/// The numbers that steer a map, with their named parameters in parentheses.
+/// The numbers that steer a map, with their named parameters in parentheses. The parameter `map_options` takes all of
+/// them at once; a single parameter goes before it.
 struct Map_options {
   Energy energy = Energy::SYMMETRIC_DIRICHLET; ///< (`energy`)
   /// (`energy_lambda`) Weight of area against angle in `Energy::AMIPS`, > 0.
@@ -85,16 +91,15 @@ inline Map_options map_options_for_fitting()
 
 namespace internal {
 
+// The options among named parameters: single ones go before `map_options`, and this before `otherwise`.
 template <class NamedParameters>
-Map_options map_options(const NamedParameters& np)
+Map_options map_options(const NamedParameters& np, const Map_options& otherwise = Map_options())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  Map_options o;
-  o.energy = choose_parameter(get_parameter(np, internal_np::energy), o.energy);
-  o.lambda = choose_parameter(get_parameter(np, internal_np::energy_lambda), o.lambda);
-  o.area_floor = choose_parameter(get_parameter(np, internal_np::area_floor), o.area_floor);
-  o.effort = choose_parameter(get_parameter(np, internal_np::effort), o.effort);
+  Map_options o = parameter(np, internal_np::map_options, otherwise);
+  o.energy = parameter(np, internal_np::energy, o.energy);
+  o.lambda = parameter(np, internal_np::energy_lambda, o.lambda);
+  o.area_floor = parameter(np, internal_np::area_floor, o.area_floor);
+  o.effort = parameter(np, internal_np::effort, o.effort);
   CGAL_precondition(o.lambda > 0);
   CGAL_precondition(o.area_floor > 0 && o.area_floor <= 1);
   return o;

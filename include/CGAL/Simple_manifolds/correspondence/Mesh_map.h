@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MESH_MAP_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MESH_MAP_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/Mesh_elements.h>
@@ -46,6 +48,8 @@ namespace Simple_manifolds {
 /// \cgalModels{ManifoldMap}
 template <class FaceListGraph, class Atlas_>
 class Mesh_map : public Manifold_map<Atlas_> {
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MESH(FaceListGraph);
+
   using Graph_traits = boost::graph_traits<FaceListGraph>;
 
 public:

@@ -8,6 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_BALANCE_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_BALANCE_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
@@ -15,7 +18,6 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/sphere_balance.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/torus_balance.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/Splittable_mesh.h>
-#include <CGAL/Simple_manifolds/parameters.h>
 
 #include <numeric>
 #include <utility>
@@ -89,21 +91,20 @@ std::vector<Eigen::Vector2d> balanced_points(const Manifold_map<Torus_atlas>& ma
 /// \param map  any map
 /// \param np  named parameters
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel, a model of
-///     `SimpleManifoldsVisitor` passed by `std::ref`} \cgalParamNEnd
+///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel} \cgalParamType{model of
+///     `SimpleManifoldsVisitor`, by `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 template <class Atlas, class NamedParameters = parameters::Default_named_parameters>
 Manifold_map<Atlas> balance(const Manifold_map<Atlas>& map,
                             [[maybe_unused]] const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "visitor");
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
   if constexpr (!Atlas::is_closed) {
     return map;
   } else {
-    using CGAL::parameters::choose_parameter;
-    using CGAL::parameters::get_parameter_reference;
     Default_visitor default_visitor;
-    auto& visitor =
-      choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+    auto& visitor = internal::parameter(np, CGAL::internal_np::visitor, default_visitor);
 
     visitor.start_phase("balance");
     std::vector<typename Atlas::Domain_point> points =

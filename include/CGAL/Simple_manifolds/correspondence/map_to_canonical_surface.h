@@ -8,6 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_CANONICAL_SURFACE_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_CANONICAL_SURFACE_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/correspondence/map_to_plane.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_torus.h>
@@ -66,6 +69,15 @@ Any_mesh_map<FaceListGraph> with_mesh(Any_map any_map,
     any_map);
 }
 
+// The same as the public function; the parameters may be others, too.
+template <class ConcurrencyTag, class FaceListGraph, class NamedParameters>
+Any_mesh_map<FaceListGraph> map_to_canonical_surface(const FaceListGraph& mesh, const NamedParameters& np)
+{
+  auto [elements, arrays] = numbered_mesh(mesh, np);
+  return with_mesh(map_arrays_to_canonical_surface<ConcurrencyTag>(elements->vertex, std::move(arrays), np),
+                   elements);
+}
+
 } // namespace internal
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
@@ -84,10 +96,13 @@ template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
 Any_mesh_map<FaceListGraph> map_to_canonical_surface(const FaceListGraph& mesh,
                                                      const NamedParameters& np = parameters::default_values())
 {
-  auto [elements, arrays] = internal::numbered_mesh(mesh, np);
-  return internal::with_mesh(
-    internal::map_arrays_to_canonical_surface<ConcurrencyTag>(elements->vertex, std::move(arrays), np),
-    elements);
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MESH(FaceListGraph);
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_MAP_PARAMETERS
+                                         ", vertex_point_map, corners, visitor");
+  CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, corners, v,
+                                        internal::accept<internal::Vertex_of<FaceListGraph>>(v), "vertices");
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
+  return internal::map_to_canonical_surface<ConcurrencyTag>(mesh, np);
 }
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
@@ -99,6 +114,11 @@ template <class ConcurrencyTag = Sequential_tag, class PointRange, class Triangl
 Any_map map_to_canonical_surface(const PointRange& points, const TriangleRange& triangles,
                                  const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters,
+                                         CGAL_SIMPLE_MANIFOLDS_MAP_PARAMETERS ", corners, visitor");
+  CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, corners, v, internal::accept<std::size_t>(v),
+                                        "vertices");
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
   internal::Mesh_arrays arrays = internal::arrays_of_ranges(points, triangles, np);
   const internal::Positions vertex(arrays.index.size());
   return internal::map_arrays_to_canonical_surface<ConcurrencyTag>(vertex, std::move(arrays), np);

@@ -8,6 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_PLANE_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_PLANE_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Plane_border.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Plane_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_mesh.h>
@@ -23,10 +26,10 @@ namespace internal {
 template <class Vertices, class NamedParameters>
 std::vector<int> corners_of(const Vertices& vertex, const Mesh_arrays& a, const NamedParameters& np)
 {
-  if constexpr (CGAL::parameters::is_default_parameter<NamedParameters, internal_np::corners_t>::value)
-    return {};
+  if constexpr (has_parameter<internal_np::corners_t, NamedParameters>)
+    return indices_of(vertex, a, parameter(np, internal_np::corners));
   else
-    return indices_of(vertex, a, CGAL::parameters::get_parameter_reference(np, internal_np::corners));
+    return {};
 }
 
 // corners: four vertices of the border in counterclockwise order, or none.
@@ -106,6 +109,14 @@ template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
 Mesh_map<FaceListGraph, Plane_atlas> map_to_plane(const FaceListGraph& mesh,
                                                   const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MESH(FaceListGraph);
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_MAP_PARAMETERS
+                                         ", vertex_point_map, corners, landmarks, domain_point_map, visitor");
+  CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, landmarks, l,
+                                        (void(l.vertex), l.point.allFinite() && l.weight >= 0), "Landmark");
+  CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, corners, v,
+                                        internal::accept<internal::Vertex_of<FaceListGraph>>(v), "vertices");
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
   auto [elements, arrays] = internal::numbered_mesh(mesh, np);
   return {internal::map_arrays_to_plane<ConcurrencyTag>(elements->vertex, std::move(arrays), np), elements};
 }
@@ -120,6 +131,13 @@ template <class ConcurrencyTag = Sequential_tag, class PointRange, class Triangl
 Manifold_map<Plane_atlas> map_to_plane(const PointRange& points, const TriangleRange& triangles,
                                        const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_MAP_PARAMETERS
+                                         ", corners, landmarks, domain_point_map, visitor");
+  CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, landmarks, l,
+                                        (void(l.vertex), l.point.allFinite() && l.weight >= 0), "Landmark");
+  CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, corners, v, internal::accept<std::size_t>(v),
+                                        "vertices");
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
   internal::Mesh_arrays arrays = internal::arrays_of_ranges(points, triangles, np);
   const internal::Positions vertex(arrays.index.size());
   return internal::map_arrays_to_plane<ConcurrencyTag>(vertex, std::move(arrays), np);

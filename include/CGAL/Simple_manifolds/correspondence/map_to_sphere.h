@@ -8,6 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_SPHERE_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_SPHERE_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Sphere_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_mesh.h>
 
@@ -67,23 +70,32 @@ Manifold_map<Sphere_atlas> map_arrays_to_sphere(const Vertices& vertex, const Me
 /// \param np  named parameters
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map} \cgalParamDescription{the positions of the vertices}
+///     \cgalParamType{model of `ReadablePropertyMap`: vertex to `Point_3`}
 ///     \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, mesh)`} \cgalParamNEnd
-///   \cgalParamNBegin{domain_point_map} \cgalParamDescription{a property map that the domain points of the
-///     vertices are written to} \cgalParamNEnd
-///   \cgalParamNBegin{energy} \cgalParamDescription{the distortion to minimise, see `Energy`} \cgalParamNEnd
-///   \cgalParamNBegin{energy_lambda} \cgalParamDescription{weight of area in `Energy::AMIPS`}
-///     \cgalParamDefault{0.3} \cgalParamNEnd
-///   \cgalParamNBegin{area_floor} \cgalParamDescription{share of uniform area in the target areas, in (0,1]}
-///     \cgalParamDefault{0.05} \cgalParamNEnd
-///   \cgalParamNBegin{vertex_weight_map} \cgalParamDescription{relative area wanted in the domain, >= 0 and finite: a face
-///     takes its own area times the mean weight of its corners; only the ratios of the weights count} \cgalParamDefault{all 1} \cgalParamNEnd
-///   \cgalParamNBegin{landmarks} \cgalParamDescription{a range of `Landmark`: vertices and the domain points that
-///     they are drawn to} \cgalParamNEnd
-///   \cgalParamNBegin{close_borders} \cgalParamDescription{the border loops to close virtually, see
-///     `Close_borders`} \cgalParamDefault{`Close_borders::NONE`} \cgalParamNEnd
-///   \cgalParamNBegin{effort} \cgalParamDescription{see `Effort`} \cgalParamNEnd
-///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel, a model of
-///     `SimpleManifoldsVisitor` passed by `std::ref`} \cgalParamNEnd
+///   \cgalParamNBegin{close_borders} \cgalParamDescription{the border loops to close virtually}
+///     \cgalParamType{`Close_borders`} \cgalParamDefault{`Close_borders::NONE`} \cgalParamNEnd
+///   \cgalParamNBegin{energy} \cgalParamDescription{the distortion to minimise} \cgalParamType{`Energy`}
+///     \cgalParamDefault{`Energy::SYMMETRIC_DIRICHLET`} \cgalParamNEnd
+///   \cgalParamNBegin{energy_lambda} \cgalParamDescription{weight of area against angle in `Energy::AMIPS`}
+///     \cgalParamType{`double`, positive} \cgalParamDefault{0.3} \cgalParamNEnd
+///   \cgalParamNBegin{area_floor} \cgalParamDescription{share of uniform area in the target areas}
+///     \cgalParamType{`double` in (0,1]} \cgalParamDefault{0.05} \cgalParamNEnd
+///   \cgalParamNBegin{effort} \cgalParamDescription{how long the map is relaxed} \cgalParamType{`Effort`}
+///     \cgalParamDefault{`Effort::DEFAULT`} \cgalParamNEnd
+///   \cgalParamNBegin{map_options} \cgalParamDescription{the four before at once; each of them that is
+///     given, too, goes before it} \cgalParamType{`Map_options`} \cgalParamDefault{`Map_options()`}
+///     \cgalParamNEnd
+///   \cgalParamNBegin{vertex_weight_map} \cgalParamDescription{relative area wanted in the domain: a face
+///     takes its own area times the mean weight of its corners; only the ratios of the weights count}
+///     \cgalParamType{model of `ReadablePropertyMap`: vertex to `double`, not negative and finite}
+///     \cgalParamDefault{all 1} \cgalParamNEnd
+///   \cgalParamNBegin{landmarks} \cgalParamDescription{vertices and the domain points that they are drawn
+///     to} \cgalParamType{range of `Landmark`} \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalParamNBegin{domain_point_map} \cgalParamDescription{where the domain points of the vertices are
+///     put} \cgalParamType{model of `WritablePropertyMap`: vertex to `Domain_point` (a vector of Eigen), or
+///     to `Point_2` or `Point_3` of any kernel} \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel} \cgalParamType{model of
+///     `SimpleManifoldsVisitor`, by `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \pre the numbers of the parameters are in their ranges, the points and weights of landmarks finite
@@ -99,6 +111,12 @@ template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
 Mesh_map<FaceListGraph, Sphere_atlas> map_to_sphere(const FaceListGraph& mesh,
                                                     const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MESH(FaceListGraph);
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_MAP_PARAMETERS
+                                         ", vertex_point_map, landmarks, domain_point_map, visitor");
+  CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, landmarks, l,
+                                        (void(l.vertex), l.point.allFinite() && l.weight >= 0), "Landmark");
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
   const auto [elements, arrays] = internal::numbered_mesh(mesh, np);
   return {internal::map_arrays_to_sphere<ConcurrencyTag>(elements->vertex, arrays, np), elements};
 }
@@ -122,6 +140,11 @@ template <class ConcurrencyTag = Sequential_tag, class PointRange, class Triangl
 Manifold_map<Sphere_atlas> map_to_sphere(const PointRange& points, const TriangleRange& triangles,
                                          const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_MAP_PARAMETERS
+                                         ", landmarks, domain_point_map, visitor");
+  CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, landmarks, l,
+                                        (void(l.vertex), l.point.allFinite() && l.weight >= 0), "Landmark");
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
   const internal::Mesh_arrays arrays = internal::arrays_of_ranges(points, triangles, np);
   return internal::map_arrays_to_sphere<ConcurrencyTag>(internal::Positions(arrays.index.size()), arrays, np);
 }

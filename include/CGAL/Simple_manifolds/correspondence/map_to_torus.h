@@ -8,6 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_TORUS_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_TORUS_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Torus_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/lifted_faces.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_mesh.h>
@@ -94,6 +97,12 @@ template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
 Mesh_map<FaceListGraph, Torus_atlas> map_to_torus(const FaceListGraph& mesh,
                                                   const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MESH(FaceListGraph);
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_MAP_PARAMETERS
+                                         ", vertex_point_map, landmarks, domain_point_map, visitor");
+  CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, landmarks, l,
+                                        (void(l.vertex), l.point.allFinite() && l.weight >= 0), "Landmark");
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
   const auto [elements, arrays] = internal::numbered_mesh(mesh, np);
   return {internal::map_arrays_to_torus<ConcurrencyTag>(elements->vertex, arrays, np), elements};
 }
@@ -107,6 +116,11 @@ template <class ConcurrencyTag = Sequential_tag, class PointRange, class Triangl
 Manifold_map<Torus_atlas> map_to_torus(const PointRange& points, const TriangleRange& triangles,
                                        const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_MAP_PARAMETERS
+                                         ", landmarks, domain_point_map, visitor");
+  CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, landmarks, l,
+                                        (void(l.vertex), l.point.allFinite() && l.weight >= 0), "Landmark");
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
   const internal::Mesh_arrays arrays = internal::arrays_of_ranges(points, triangles, np);
   return internal::map_arrays_to_torus<ConcurrencyTag>(internal::Positions(arrays.index.size()), arrays, np);
 }

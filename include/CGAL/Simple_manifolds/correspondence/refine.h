@@ -8,12 +8,14 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_REFINE_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_REFINE_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Star_repair.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/Splittable_mesh.h>
-#include <CGAL/Simple_manifolds/parameters.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -215,22 +217,21 @@ private:
 /// \param map  any map
 /// \param np  named parameters
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel, a model of
-///     `SimpleManifoldsVisitor` passed by `std::ref`} \cgalParamNEnd
+///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel} \cgalParamType{model of
+///     `SimpleManifoldsVisitor`, by `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \return the map with the vertices of `map` first, and with its `number_of_input_vertices()`
 template <class Atlas, class NamedParameters = parameters::Default_named_parameters>
 Manifold_map<Atlas> refine(const Manifold_map<Atlas>& map,
                            [[maybe_unused]] const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "visitor");
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
   if constexpr (!Atlas::is_closed) {
     return map;
   } else {
-    using CGAL::parameters::choose_parameter;
-    using CGAL::parameters::get_parameter_reference;
     Default_visitor default_visitor;
-    auto& visitor =
-      choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+    auto& visitor = internal::parameter(np, CGAL::internal_np::visitor, default_visitor);
 
     visitor.start_phase("refine");
     internal::Star_refinement<Atlas> refinement(map);

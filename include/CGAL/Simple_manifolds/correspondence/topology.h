@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_TOPOLOGY_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_TOPOLOGY_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/internal/Polygon_soup.h>
@@ -125,6 +127,7 @@ Mesh_topology topology_of_soup(const Soup& soup, std::vector<int>& opposite)
 template <class FaceListGraph>
 Mesh_topology topology(const FaceListGraph& mesh)
 {
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MESH(FaceListGraph);
   std::vector<int> opposite;
   return internal::topology_of_soup(internal::Polygon_soup(mesh), opposite);
 }

@@ -14,7 +14,6 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <utility>
 
 /// \file
 ///
@@ -130,8 +129,16 @@ struct Tangent_frame {
 
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///
-/// The principal curvatures k1 >= k2, in 1/length.
-inline std::pair<double, double> principal_curvatures(const Jet& e)
+/// The principal curvatures; `const auto [k1, k2] = principal_curvatures(e);` takes them apart.
+struct Principal_curvatures {
+  double k1, ///< the larger one, in 1/length
+    k2;      ///< the smaller one
+};
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
+/// The principal curvatures of a surface at the point of the jet `e`.
+inline Principal_curvatures principal_curvatures(const Jet& e)
 {
   const internal::Tangent_frame f(e);
   return {f.mean + f.half, f.mean - f.half};

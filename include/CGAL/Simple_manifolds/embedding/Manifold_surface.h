@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_MANIFOLD_SURFACE_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_MANIFOLD_SURFACE_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+
 #include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
@@ -50,6 +52,10 @@ namespace Simple_manifolds {
 /// \tparam Bump            a model of `BumpFunction`
 template <class Atlas_, class ChartEmbedding = Hierarchical_embedding, class Bump_ = Smoothstep_bump<2>>
 class Manifold_surface {
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_ATLAS(Atlas_);
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_EMBEDDING(ChartEmbedding);
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_BUMP(Bump_);
+
 public:
   using Atlas = Atlas_;                              ///< the canonical surface with its charts
   using Domain_point = typename Atlas::Domain_point; ///< a point of the canonical surface
@@ -134,7 +140,7 @@ public:
 
   /// The principal curvatures k1 >= k2.
   template <class Point>
-  std::pair<double, double> principal_curvatures(const Point& p) const
+  Principal_curvatures principal_curvatures(const Point& p) const
   {
     return Simple_manifolds::principal_curvatures(jet(p));
   }
@@ -182,6 +188,7 @@ public:
   template <class ConcurrencyTag = Sequential_tag, class Range, class OutputIterator>
   OutputIterator points(const Range& range, OutputIterator out) const
   {
+    static_assert(is_range_of_points<Range>, "the range is none of domain points or chart points");
     return evaluate<ConcurrencyTag, 0>(range, out, [](const Eigen::Vector3d& e) { return e; });
   }
 
@@ -189,6 +196,7 @@ public:
   template <class ConcurrencyTag, int Order = 2, class Range, class OutputIterator>
   OutputIterator jets(const Range& range, OutputIterator out) const
   {
+    static_assert(is_range_of_points<Range>, "the range is none of domain points or chart points");
     return evaluate<ConcurrencyTag, Order>(range, out, [](const Jet& e) { return e; });
   }
 
@@ -203,17 +211,22 @@ public:
   template <class ConcurrencyTag = Sequential_tag, class Range, class OutputIterator>
   OutputIterator normals(const Range& range, OutputIterator out) const
   {
+    static_assert(is_range_of_points<Range>, "the range is none of domain points or chart points");
     return evaluate<ConcurrencyTag, 1>(range, out, [](const Jet& e) { return Simple_manifolds::normal(e); });
   }
   /// @}
 
 private:
+  template <class Range, class Element = internal::Plain<typename internal::Range_element<const Range>::type>>
+  static constexpr bool is_range_of_points =
+    std::is_same_v<Element, Domain_point> || std::is_same_v<Element, Chart_point>;
+
   // Order 0: positions
   template <class ConcurrencyTag, int Order, class Range, class OutputIterator, class Function>
   OutputIterator evaluate(const Range& range, OutputIterator out, const Function& f) const
   {
     constexpr std::size_t chunk = std::is_convertible_v<ConcurrencyTag, Parallel_tag> ? 1 << 16 : 1 << 9;
-    using Point = std::decay_t<decltype(*std::begin(range))>;
+    using Point = internal::Plain<typename internal::Range_element<const Range>::type>;
     using Result = std::conditional_t<Order == 0, Eigen::Vector3d, Jet>;
     std::vector<Point> points;
     std::vector<Result> results;

@@ -8,6 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_SURFACE_FITTER_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_SURFACE_FITTER_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+
+#include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_options.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
@@ -53,6 +56,9 @@ namespace Simple_manifolds {
 /// \tparam ConcurrencyTag  `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 template <class Map, class Bump = Smoothstep_bump<2>, class ConcurrencyTag = Sequential_tag>
 class Surface_fitter {
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MAP(Map);
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_BUMP(Bump);
+
 public:
   using Atlas = typename Map::Atlas; ///< the canonical surface with its charts
   using Surface = Manifold_surface<Atlas, Hierarchical_embedding, Bump>; ///< what is fitted
@@ -87,6 +93,13 @@ public:
   Surface fit(Visitor& visitor)
   {
     return fit_.run(internal::Visitor_reference(visitor));
+  }
+
+  /// The same without a visitor.
+  Surface fit()
+  {
+    Default_visitor visitor;
+    return fit(visitor);
   }
 
   /// What the last `fit()` reached.

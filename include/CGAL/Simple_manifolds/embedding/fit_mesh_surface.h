@@ -8,6 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_FIT_MESH_SURFACE_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_FIT_MESH_SURFACE_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
 
@@ -41,21 +44,23 @@ template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
           std::enable_if_t<!internal::is_map<FaceListGraph>, int> = 0>
 auto fit_surface(const FaceListGraph& mesh, const NamedParameters& np = parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  using Bump =
-    std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<internal_np::bump_t, NamedParameters,
-                                                                    Smoothstep_bump<2>>::type>;
-  const Map_options o = map_options_for_fitting();
-  const auto any_map = map_to_canonical_surface<ConcurrencyTag>(
-    mesh,
-    parameters::energy(choose_parameter(get_parameter(np, internal_np::energy), o.energy),
-                       parameters::energy_lambda(
-                         choose_parameter(get_parameter(np, internal_np::energy_lambda), o.lambda),
-                         parameters::area_floor(
-                           choose_parameter(get_parameter(np, internal_np::area_floor), o.area_floor), np))));
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MESH(FaceListGraph);
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_MAP_PARAMETERS
+                                         ", vertex_point_map, corners, " CGAL_SIMPLE_MANIFOLDS_FIT_PARAMETERS
+                                         ", visitor");
+  CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, fit_report);
+  CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, corners, v,
+                                        internal::accept<internal::Vertex_of<FaceListGraph>>(v), "vertices");
+  CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, vertex_weights, w, double(w), "numbers");
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
+  using Bump = internal::Bump_of<NamedParameters>;
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_BUMP(Bump);
+  const Map_options options = internal::map_options(np, map_options_for_fitting());
+  const auto any_map =
+    internal::map_to_canonical_surface<ConcurrencyTag>(mesh, parameters::map_options(options, np));
   return std::visit(
-    [&np](const auto& map) { return Any_surface<Bump>(fit_surface<ConcurrencyTag>(map, np)); }, any_map);
+    [&np](const auto& map) { return Any_surface<Bump>(internal::fit_surface<ConcurrencyTag>(map, np)); },
+    any_map);
 }
 
 } // namespace Simple_manifolds

@@ -8,10 +8,11 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_MEASURES_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_MEASURES_H
 
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
-#include <CGAL/Simple_manifolds/parameters.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -35,9 +36,10 @@ namespace Simple_manifolds {
 /// An integral over a surface.
 struct Integral {
   double value; ///< the integral
-  /// An estimate of |value - true value|, on the safe side: the changes that the last refinement made, summed
-  /// without signs over all cells, while `value` has that refinement in it.
-  double error;
+  /// An estimate of |value - integral over this surface|, on the safe side: the changes that the last refinement
+  /// of the cells made, summed without signs, while `value` has that refinement in it. It says nothing of how
+  /// far the surface is from the mesh that it was fitted to: see `Fit_report`.
+  double quadrature_error;
 };
 
 namespace internal {
@@ -179,8 +181,7 @@ private:
 template <class ConcurrencyTag, int Order, class Surface, class Density, class NamedParameters>
 Integral integrate_density(const Surface& surface, const Density& density, const NamedParameters& np)
 {
-  const double relative_error = CGAL::parameters::choose_parameter(
-    CGAL::parameters::get_parameter(np, internal_np::relative_error), 1e-6);
+  const double relative_error = parameter(np, internal_np::relative_error, 1e-6);
   CGAL_precondition(relative_error >= 0);
   return Tile_quadrature<ConcurrencyTag, Order, Surface, Density>(surface, density)(relative_error);
 }
@@ -198,14 +199,19 @@ Integral integrate_density(const Surface& surface, const Density& density, const
 /// \param surface  a `Manifold_surface`
 /// \param f        `double f(const Jet&)`; finite, and independent of the chart. With `Parallel_tag` it is
 ///                 called from several threads.
-/// \param np       optional named parameters:
-///   - `relative_error` (double, 1e-6): the error at which refinement stops, as a fraction of the integral of
-///     |f|. It also stops at 100,000 cells of 64 evaluations; `Integral::error` tells what was reached.
+/// \param np  named parameters
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{relative_error} \cgalParamDescription{the error of the quadrature at which refinement
+///     stops, as a fraction of the integral of |f|. It also stops at 100,000 cells of 64 evaluations;
+///     `Integral::quadrature_error` tells what was reached.} \cgalParamType{`double`, not negative}
+///     \cgalParamDefault{1e-6} \cgalParamNEnd
+/// \cgalNamedParamsEnd
 template <class ConcurrencyTag = Sequential_tag, int Order = 2, class Surface, class Function,
           class NamedParameters = parameters::Default_named_parameters>
 Integral integrate(const Surface& surface, const Function& f,
                    const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "relative_error");
   return internal::integrate_density<ConcurrencyTag, Order>(
     surface, [&f](const Jet& e) { return f(e) * area_element(e); }, np);
 }
@@ -217,6 +223,7 @@ template <class ConcurrencyTag = Sequential_tag, class Surface,
           class NamedParameters = parameters::Default_named_parameters>
 Integral area(const Surface& surface, const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "relative_error");
   return internal::integrate_density<ConcurrencyTag, 1>(
     surface, [](const Jet& e) { return area_element(e); }, np);
 }
@@ -231,6 +238,7 @@ template <class ConcurrencyTag = Sequential_tag, class Surface,
           class NamedParameters = parameters::Default_named_parameters>
 Integral volume(const Surface& surface, const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "relative_error");
   using Atlas = typename Surface::Atlas;
   static_assert(Atlas::is_closed, "a surface with a border has no inside");
   // relative to a point in the middle, so that a body far from the origin keeps its digits

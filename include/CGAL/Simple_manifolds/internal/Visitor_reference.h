@@ -20,7 +20,7 @@ class Visitor_reference {
 public:
   template <class Visitor>
   explicit Visitor_reference(Visitor& visitor)
-    : visitor_(&visitor),
+    : visitor_(const_cast<void*>(static_cast<const void*>(&visitor))), // which may be a const one
       start_phase_([](void* v, const char* name) { static_cast<Visitor*>(v)->start_phase(name); }),
       progress_([](void* v, double fraction) { static_cast<Visitor*>(v)->progress(fraction); }),
       end_phase_([](void* v) { static_cast<Visitor*>(v)->end_phase(); })

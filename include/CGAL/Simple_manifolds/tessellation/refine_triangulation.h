@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_TESSELLATION_REFINE_TRIANGULATION_H
 #define CGAL_SIMPLE_MANIFOLDS_TESSELLATION_REFINE_TRIANGULATION_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 #include <CGAL/Simple_manifolds/tessellation/sizing.h>
 
@@ -49,6 +51,7 @@ template <class Atlas, class Sizing>
 Tessellation_report refine_triangulation(Domain_triangulation<Atlas>& triangulation, const Sizing& sizing,
                                          std::size_t max_faces = default_max_faces)
 {
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_SIZING(Sizing, Atlas);
   Tessellation_report report;
   std::vector<double> excess; // per face
   std::vector<int> all(triangulation.number_of_faces()), failing;

@@ -210,14 +210,22 @@ private:
 
 namespace internal {
 
+// Whether a type has either form of a TessellationSizing.
+template <class Sizing, class Atlas>
+inline constexpr bool measures_many = std::is_invocable_v<const Sizing&, const Domain_triangulation<Atlas>&,
+                                                          const std::vector<int>&, std::vector<double>&>;
+template <class Sizing, class Atlas>
+inline constexpr bool is_sizing =
+  measures_many<Sizing, Atlas> ||
+  std::is_invocable_r_v<double, const Sizing&, const Domain_triangulation<Atlas>&, int>;
+
 // The excess of each of the faces, by either form of a TessellationSizing; infinite where it is not a number.
 template <class Sizing, class Atlas>
 std::vector<double> excess_of(const Sizing& sizing, const Domain_triangulation<Atlas>& t,
                               const std::vector<int>& faces)
 {
   std::vector<double> excess(faces.size());
-  if constexpr (std::is_invocable_v<const Sizing&, const Domain_triangulation<Atlas>&,
-                                    const std::vector<int>&, std::vector<double>&>)
+  if constexpr (measures_many<Sizing, Atlas>)
     sizing(t, faces, excess);
   else
     std::transform(faces.begin(), faces.end(), excess.begin(), [&](int f) { return double(sizing(t, f)); });

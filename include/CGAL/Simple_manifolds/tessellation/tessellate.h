@@ -8,13 +8,16 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_TESSELLATION_TESSELLATE_H
 #define CGAL_SIMPLE_MANIFOLDS_TESSELLATION_TESSELLATE_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/internal/Polygon_soup.h>
 #include <CGAL/Simple_manifolds/internal/add_soup.h>
 #include <CGAL/Simple_manifolds/internal/half_edges.h>
-#include <CGAL/Simple_manifolds/parameters.h>
+#include <CGAL/Simple_manifolds/internal/put_vector.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_borders.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
@@ -35,6 +38,10 @@
 #include <vector>
 
 /// \file
+
+// What says how fine a tessellation is.
+#define CGAL_SIMPLE_MANIFOLDS_TESSELLATION_PARAMETERS                                                        \
+  "subdivisions, tile_borders, chord_error, edge_length, sizing, max_faces, tessellation_report"
 
 namespace CGAL {
 namespace Simple_manifolds {
@@ -66,29 +73,14 @@ std::vector<Triangle> triangulate(const Tile_grid<Atlas>& grid, const std::vecto
 
 namespace internal {
 
-template <class Map>
-inline constexpr bool is_given = !std::is_same_v<std::decay_t<Map>, CGAL::internal_np::Param_not_found>;
-
-template <class Map, class Vertex, class Value>
-void put_if_given(const Map& map, const Vertex& v, const Value& value)
-{
-  if constexpr (is_given<Map>) put(map, v, value);
-}
-
 // Adds the mesh of a surface over a Tile_grid or a Domain_triangulation.
 template <class Surface, class Grid, class MutableFaceGraph, class NamedParameters>
 void tessellate(const Surface& surface, const Grid& grid, MutableFaceGraph& out, const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-
-  const auto normals = get_parameter(np, internal_np::normal_map);
-  const auto chart_points = get_parameter(np, internal_np::chart_point_map);
-  const auto domain_points = get_parameter(np, internal_np::domain_point_map);
-
+  constexpr bool has_normals = has_parameter<internal_np::normal_map_t, NamedParameters>;
   std::vector<Eigen::Vector3d> position, normal;
   position.reserve(grid.number_of_vertices());
-  if constexpr (is_given<decltype(normals)>) {
+  if constexpr (has_normals) {
     std::vector<Jet> jets;
     jets.reserve(grid.number_of_vertices());
     surface.template jets<1>(grid.domain_points(), std::back_inserter(jets));
@@ -100,19 +92,17 @@ void tessellate(const Surface& surface, const Grid& grid, MutableFaceGraph& out,
     surface.points(grid.domain_points(), std::back_inserter(position));
   }
 
-  auto point_map = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                    get_property_map(CGAL::vertex_point, out));
-  using Point = typename boost::property_traits<decltype(point_map)>::value_type;
+  const auto point_map =
+    parameter(np, CGAL::internal_np::vertex_point, get_property_map(CGAL::vertex_point, out));
   const std::vector<Triangle> triangles = triangulate(grid, position);
   const Triangle_soup soup(int(position.size()), triangles);
   add_soup(soup, opposite_half_edges(soup), out, [&](int i, auto v) {
-    put(point_map, v, Point(position[i].x(), position[i].y(), position[i].z()));
-    put_if_given(chart_points, v, grid.chart_points()[i]);
-    put_if_given(domain_points, v, grid.domain_points()[i]);
-    if constexpr (is_given<decltype(normals)>) {
-      using Vector = typename boost::property_traits<std::decay_t<decltype(normals)>>::value_type;
-      put(normals, v, Vector(normal[i].x(), normal[i].y(), normal[i].z()));
-    }
+    put_vector(point_map, v, position[i]);
+    if constexpr (has_normals) put_vector(parameter(np, internal_np::normal_map), v, normal[i]);
+    if constexpr (has_parameter<internal_np::chart_point_map_t, NamedParameters>)
+      put(parameter(np, internal_np::chart_point_map), v, grid.chart_points()[i]);
+    if constexpr (has_parameter<internal_np::domain_point_map_t, NamedParameters>)
+      put_vector(parameter(np, internal_np::domain_point_map), v, grid.domain_points()[i]);
   });
 }
 
@@ -121,17 +111,10 @@ template <class Surface, class NamedParameters>
 Tile_grid<typename Surface::Atlas> tile_grid(const Surface& surface, const NamedParameters& np,
                                              double cells = 6000)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   using Grid = Tile_grid<typename Surface::Atlas>;
-  return Grid(choose_parameter(get_parameter(np, internal_np::subdivisions), Grid::subdivisions_for(cells)),
-              choose_parameter(get_parameter(np, internal_np::tile_borders), Tile_borders::EXACT),
-              surface.atlas());
+  return Grid(parameter(np, internal_np::subdivisions, Grid::subdivisions_for(cells)),
+              parameter(np, internal_np::tile_borders, Tile_borders::EXACT), surface.atlas());
 }
-
-template <class Tag, class NamedParameters>
-inline constexpr bool has_parameter = is_given<decltype(CGAL::parameters::get_parameter(
-  std::declval<const NamedParameters&>(), std::declval<Tag>()))>;
 
 // Whether a criterion is among the parameters.
 template <class NamedParameters>
@@ -139,34 +122,49 @@ inline constexpr bool is_adaptive = has_parameter<internal_np::chord_error_t, Na
                                     has_parameter<internal_np::edge_length_t, NamedParameters> ||
                                     has_parameter<internal_np::sizing_t, NamedParameters>;
 
+// The criterion of the user's own; if there is none, one that is always met.
+template <class NamedParameters>
+using Sizing_of = Parameter_type<internal_np::sizing_t, NamedParameters, Combined_sizing<>>;
+
 // All criteria that are among the parameters, as one.
 template <class Surface, class NamedParameters>
 auto sizing_of(const Surface& surface, const NamedParameters& np)
 {
-  using CGAL::parameters::get_parameter;
   constexpr bool has_chord_error = has_parameter<internal_np::chord_error_t, NamedParameters>;
   constexpr bool has_edge_length = has_parameter<internal_np::edge_length_t, NamedParameters>;
   [[maybe_unused]] const double unit = has_chord_error || has_edge_length ? surface_diagonal(surface) : 1;
   const auto chord_error = [&] {
     if constexpr (has_chord_error)
-      return std::tuple(Chord_error<Surface>(surface, get_parameter(np, internal_np::chord_error), unit));
+      return std::tuple(Chord_error<Surface>(surface, parameter(np, internal_np::chord_error), unit));
     else
       return std::tuple<>();
   };
   const auto edge_length = [&] {
     if constexpr (has_edge_length)
-      return std::tuple(Edge_length<Surface>(surface, get_parameter(np, internal_np::edge_length), unit));
+      return std::tuple(Edge_length<Surface>(surface, parameter(np, internal_np::edge_length), unit));
     else
       return std::tuple<>();
   };
   const auto own = [&] {
     if constexpr (has_parameter<internal_np::sizing_t, NamedParameters>)
-      return std::tuple(get_parameter(np, internal_np::sizing));
+      return std::tuple(parameter(np, internal_np::sizing));
     else
       return std::tuple<>();
   };
   return std::apply([](auto... sizing) { return Combined_sizing<decltype(sizing)...>(std::move(sizing)...); },
                     std::tuple_cat(chord_error(), edge_length(), own()));
+}
+
+template <class Surface, class NamedParameters>
+Domain_triangulation<typename Surface::Atlas> adaptive_triangulation(const Surface& surface,
+                                                                     const NamedParameters& np)
+{
+  Domain_triangulation<typename Surface::Atlas> triangulation(tile_grid(surface, np, 96), surface.atlas());
+  const Tessellation_report report = refine_triangulation(
+    triangulation, sizing_of(surface, np), parameter(np, internal_np::max_faces, default_max_faces));
+  Tessellation_report unused;
+  parameter(np, internal_np::tessellation_report, unused) = report;
+  return triangulation;
 }
 
 } // namespace internal
@@ -176,24 +174,16 @@ auto sizing_of(const Surface& surface, const NamedParameters& np)
 /// A triangulation of the domain of a surface that is as fine as criteria ask for: what `tessellate()` puts
 /// into a mesh, for other uses.
 ///
-/// \param np  `chord_error`, `edge_length`, `sizing`, `max_faces`, `tessellation_report`, `subdivisions` and
-///            `tile_borders`, see `tessellate()`
+/// \param np  of the named parameters of `tessellate()` those that say how fine it is: `chord_error`, `edge_length`,
+///   `sizing`, `max_faces`, `subdivisions`, `tile_borders`; and `tessellation_report`
 template <class Surface, class NamedParameters = parameters::Default_named_parameters>
 Domain_triangulation<typename Surface::Atlas>
 adaptive_triangulation(const Surface& surface, const NamedParameters& np = parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  Domain_triangulation<typename Surface::Atlas> triangulation(internal::tile_grid(surface, np, 96),
-                                                              surface.atlas());
-  const Tessellation_report report =
-    refine_triangulation(triangulation, internal::sizing_of(surface, np),
-                         choose_parameter(get_parameter(np, internal_np::max_faces), default_max_faces));
-  if constexpr (internal::has_parameter<internal_np::tessellation_report_t, NamedParameters>) {
-    Tessellation_report& result = get_parameter(np, internal_np::tessellation_report);
-    result = report;
-  }
-  return triangulation;
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_TESSELLATION_PARAMETERS);
+  CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, tessellation_report);
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_SIZING(internal::Sizing_of<NamedParameters>, typename Surface::Atlas);
+  return internal::adaptive_triangulation(surface, np);
 }
 
 /// \ingroup PkgSimpleManifoldsTessellation
@@ -210,29 +200,50 @@ adaptive_triangulation(const Surface& surface, const NamedParameters& np = param
 ///
 /// \param surface  a `Manifold_surface`
 /// \param out      a model of `MutableFaceGraph` such as `Surface_mesh` or `Polyhedron_3`
-/// \param np       optional named parameters:
-///   - `chord_error`: the largest distance between the surface and the faces, as a fraction of the diagonal
-///     of the bounding box of the surface, see `Chord_error`
-///   - `edge_length`: the length of the longest edge, as a fraction of the diagonal
-///   - `sizing`: a model of `TessellationSizing`, such as `Mesh_vertex_count`, or a function of your own
-///   - `max_faces`: the number of faces at which an adaptive tessellation stops even if the criteria are not
-///     met; 4,194,304 by default
-///   - `tessellation_report`: a `std::reference_wrapper<Tessellation_report>` that receives whether the
-///     criteria are met everywhere
-///   - `subdivisions`: cells per side of a tile, at least 1; by default as many as make about 6000 cells, or
-///     100 to start from where the tessellation is adaptive
-///   - `tile_borders`: `Tile_borders::EXACT` (the default) or `AVERAGED`
-///   - `vertex_point_map`: a `WritablePropertyMap` from vertices to points
-///   - `normal_map`: a `WritablePropertyMap` that receives the unit normals (`Vector_3`) of the surface,
-///     which are exact and not averages over triangles
-///   - `chart_point_map`, `domain_point_map`: `WritablePropertyMap`s that receive where the vertices are
-///     on the manifold, as `Chart_point` and as `Atlas::Domain_point`
+/// \param np  named parameters
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{chord_error} \cgalParamDescription{the largest distance between the surface and the
+///     faces, as a fraction of the diagonal of the bounding box of the surface, see `Chord_error`}
+///     \cgalParamType{`double`, positive} \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalParamNBegin{edge_length} \cgalParamDescription{the length of the longest edge, as a fraction of
+///     the diagonal} \cgalParamType{`double`, positive} \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalParamNBegin{sizing} \cgalParamDescription{a criterion such as `Mesh_vertex_count`, or a function
+///     of your own} \cgalParamType{model of `TessellationSizing`} \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalParamNBegin{max_faces} \cgalParamDescription{the number of faces at which an adaptive
+///     tessellation stops even if the criteria are not met} \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{`default_max_faces`} \cgalParamNEnd
+///   \cgalParamNBegin{tessellation_report} \cgalParamDescription{receives whether the criteria are met
+///     everywhere} \cgalParamType{`Tessellation_report`, by `std::ref()`} \cgalParamDefault{none}
+///     \cgalParamNEnd
+///   \cgalParamNBegin{subdivisions} \cgalParamDescription{cells per side of a tile} \cgalParamType{`int`,
+///     at least 1} \cgalParamDefault{as many as make about 6000 cells, or 100 to start from where the
+///     tessellation is adaptive} \cgalParamNEnd
+///   \cgalParamNBegin{tile_borders} \cgalParamDescription{where the tiles of the sphere meet}
+///     \cgalParamType{`Tile_borders`} \cgalParamDefault{`Tile_borders::EXACT`} \cgalParamNEnd
+///   \cgalParamNBegin{vertex_point_map} \cgalParamDescription{where the positions of the vertices are put}
+///     \cgalParamType{model of `WritablePropertyMap`: vertex to `Point_3`}
+///     \cgalParamDefault{`get_property_map(CGAL::vertex_point, out)`} \cgalParamNEnd
+///   \cgalParamNBegin{normal_map} \cgalParamDescription{where the unit normals of the surface are put,
+///     which are exact and not averages over triangles} \cgalParamType{model of `WritablePropertyMap`: vertex
+///     to `Vector_3` of any kernel or `Eigen::Vector3d`} \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalParamNBegin{chart_point_map} \cgalParamDescription{where the places of the vertices on the
+///     manifold are put} \cgalParamType{model of `WritablePropertyMap`: vertex to `Chart_point`}
+///     \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalParamNBegin{domain_point_map} \cgalParamDescription{the same as domain points}
+///     \cgalParamType{model of `WritablePropertyMap`: vertex to `Atlas::Domain_point` (a vector of Eigen), or
+///     to `Point_2` or `Point_3` of any kernel} \cgalParamDefault{none} \cgalParamNEnd
+/// \cgalNamedParamsEnd
 template <class Surface, class MutableFaceGraph, class NamedParameters = parameters::Default_named_parameters>
 void tessellate(const Surface& surface, MutableFaceGraph& out,
                 const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MESH(MutableFaceGraph);
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_TESSELLATION_PARAMETERS
+                                         ", vertex_point_map, normal_map, chart_point_map, domain_point_map");
+  CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, tessellation_report);
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_SIZING(internal::Sizing_of<NamedParameters>, typename Surface::Atlas);
   if constexpr (internal::is_adaptive<NamedParameters>)
-    internal::tessellate(surface, adaptive_triangulation(surface, np), out, np);
+    internal::tessellate(surface, internal::adaptive_triangulation(surface, np), out, np);
   else
     internal::tessellate(surface, internal::tile_grid(surface, np), out, np);
 }

@@ -8,13 +8,15 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_PAPER_FIT_FIT_PATCH_SURFACE_H
 #define CGAL_SIMPLE_MANIFOLDS_PAPER_FIT_FIT_PATCH_SURFACE_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
 #include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
 #include <CGAL/Simple_manifolds/paper/fit/Patch_fit_options.h>
 #include <CGAL/Simple_manifolds/paper/fit/Patch_fit_report.h>
 #include <CGAL/Simple_manifolds/paper/fit/internal/Patch_fitter.h>
-#include <CGAL/Simple_manifolds/parameters.h>
 
 #include <CGAL/tags.h>
 
@@ -60,19 +62,32 @@ namespace Simple_manifolds {
 /// \tparam ConcurrencyTag  `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`:
 ///   charts are fitted at the same time; the result is the same, bit for bit
 /// \param map  a model of `ManifoldMap`
-/// \param np   optional named parameters among
-///   - `average_delta` (double >= 0, 2e-3): the average of |Delta| allowed at the vertices of a chart, as a
-///     fraction of the diagonal of the bounding box
-///   - `max_delta` (double >= 0, 10 times `average_delta`): the largest |Delta| allowed there, likewise
-///   - `spline_degree` (int in 2..5, 3): the degree of the patches
-///   - `patch_controls` (int > `spline_degree`, 7): the controls per side of every patch
-///   - `max_patches` (int >= 1, 16): limit of the patches of a chart, its base patch included
-///   - `max_bins` (int, 64): limit of the bins per side of a chart, for large meshes; at least
-///     `4 (patch_controls - spline_degree)`
-///   - `patch_solve` (`Patch_solve`, `ALL`): which coefficients are solved for when a patch was added
-///   - `bump` (a model of `BumpFunction`, `Smoothstep_bump<2>`)
-///   - `patch_fit_report` (`std::reference_wrapper<Patch_fit_report>`): receives patches, errors and times
-///   - `visitor` (derived from `Default_visitor`, by `std::ref`); phases "fit" and "measure"
+/// \param np  named parameters
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{average_delta} \cgalParamDescription{the average of |Delta| allowed at the vertices
+///     of a chart, as a fraction of the diagonal of the bounding box} \cgalParamType{`double`, not negative}
+///     \cgalParamDefault{2e-3} \cgalParamNEnd
+///   \cgalParamNBegin{max_delta} \cgalParamDescription{the largest |Delta| allowed there, likewise}
+///     \cgalParamType{`double`, not negative} \cgalParamDefault{10 times `average_delta`} \cgalParamNEnd
+///   \cgalParamNBegin{spline_degree} \cgalParamDescription{the degree of the patches} \cgalParamType{`int`
+///     in 2..5} \cgalParamDefault{3} \cgalParamNEnd
+///   \cgalParamNBegin{patch_controls} \cgalParamDescription{the controls per side of every patch}
+///     \cgalParamType{`int`, larger than `spline_degree`} \cgalParamDefault{7} \cgalParamNEnd
+///   \cgalParamNBegin{max_patches} \cgalParamDescription{limit of the patches of a chart, its base patch
+///     included} \cgalParamType{`int`, at least 1} \cgalParamDefault{16} \cgalParamNEnd
+///   \cgalParamNBegin{max_bins} \cgalParamDescription{limit of the bins per side of a chart, for large
+///     meshes} \cgalParamType{`int`, at least `4 (patch_controls - spline_degree)`} \cgalParamDefault{64}
+///     \cgalParamNEnd
+///   \cgalParamNBegin{patch_solve} \cgalParamDescription{which coefficients are solved for when a patch was
+///     added} \cgalParamType{`Patch_solve`} \cgalParamDefault{`Patch_solve::ALL`} \cgalParamNEnd
+///   \cgalParamNBegin{bump} \cgalParamDescription{the bump function, whose smoothness k is that of the
+///     blend} \cgalParamType{model of `BumpFunction`} \cgalParamDefault{`Smoothstep_bump<2>`} \cgalParamNEnd
+///   \cgalParamNBegin{patch_fit_report} \cgalParamDescription{receives patches, errors and times}
+///     \cgalParamType{`Patch_fit_report`, by `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel; phases "fit" and "measure"}
+///     \cgalParamType{model of `SimpleManifoldsVisitor`, by `std::ref()`} \cgalParamDefault{none}
+///     \cgalParamNEnd
+/// \cgalNamedParamsEnd
 /// \return a `Manifold_surface<typename Map::Atlas, Patch_stack_embedding, Bump>`
 /// \throw Geometry_error  `zero_extent`: all vertices coincide; `extent_out_of_range`: the diagonal of the mesh
 ///   is not within 1e-60 and 1e60, or 1e-12 of a coordinate
@@ -81,17 +96,17 @@ template <class ConcurrencyTag = Sequential_tag, class Map,
           class NamedParameters = parameters::Default_named_parameters>
 auto fit_patch_surface(const Map& map, const NamedParameters& np = parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
-  using Bump =
-    std::decay_t<typename CGAL::internal_np::Lookup_named_param_def<internal_np::bump_t, NamedParameters,
-                                                                    Smoothstep_bump<2>>::type>;
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MAP(Map);
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(
+    NamedParameters, "average_delta, max_delta, spline_degree, patch_controls, max_patches, max_bins, "
+                     "patch_solve, bump, patch_fit_report, visitor");
+  CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, patch_fit_report);
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
+  using Bump = internal::Parameter_type<internal_np::bump_t, NamedParameters, Smoothstep_bump<2>>;
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_BUMP(Bump);
 
   Patch_fit_options options;
-  const auto read = [&np](auto& option, auto tag) {
-    option = choose_parameter(get_parameter(np, tag), option);
-  };
+  const auto read = [&np](auto& option, auto tag) { option = internal::parameter(np, tag, option); };
   read(options.average_delta, internal_np::average_delta);
   options.max_delta = 10 * options.average_delta;
   read(options.max_delta, internal_np::max_delta);
@@ -101,11 +116,10 @@ auto fit_patch_surface(const Map& map, const NamedParameters& np = parameters::d
   read(options.max_bins, internal_np::max_bins);
   read(options.patch_solve, internal_np::patch_solve);
   Default_visitor default_visitor;
-  auto& visitor = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+  auto& visitor = internal::parameter(np, CGAL::internal_np::visitor, default_visitor);
   Patch_fit_report unused, report;
-  Patch_fit_report& wanted_report =
-    choose_parameter(get_parameter_reference(np, internal_np::patch_fit_report), unused);
-  const Bump bump = choose_parameter(get_parameter(np, internal_np::bump), Bump());
+  Patch_fit_report& wanted_report = internal::parameter(np, internal_np::patch_fit_report, unused);
+  const Bump bump = internal::parameter(np, internal_np::bump, Bump());
   auto surface =
     internal::Patch_fitter<internal::Map_on_arrays<Map>, Bump, ConcurrencyTag>(map, options, bump)
       .fit(report, visitor);

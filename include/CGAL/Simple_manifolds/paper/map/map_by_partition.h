@@ -8,6 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_PAPER_MAP_MAP_BY_PARTITION_H
 #define CGAL_SIMPLE_MANIFOLDS_PAPER_MAP_MAP_BY_PARTITION_H
 
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Plane_border.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_mesh.h>
@@ -243,17 +246,13 @@ private:
 template <class NamedParameters>
 Any_map map_by_partition(const Mesh_arrays& arrays, const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
   Default_visitor default_visitor;
-  auto& visitor = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+  auto& visitor = parameter(np, CGAL::internal_np::visitor, default_visitor);
   Partition_report own_report;
-  Partition_report& report =
-    choose_parameter(get_parameter(np, internal_np::partition_report), std::ref(own_report)).get();
+  Partition_report& report = parameter(np, internal_np::partition_report, own_report);
   report = Partition_report();
   const Projection_weights weights =
-    choose_parameter(get_parameter(np, internal_np::projection_weights), Projection_weights::CENTROID);
+    parameter(np, internal_np::projection_weights, Projection_weights::CENTROID);
 
   if (!arrays.topology.is_closed()) {
     require_disk(arrays.topology);
@@ -284,15 +283,16 @@ Any_map map_by_partition(const Mesh_arrays& arrays, const NamedParameters& np)
 /// \param np  named parameters
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map} \cgalParamDescription{the positions of the vertices}
+///     \cgalParamType{model of `ReadablePropertyMap`: vertex to `Point_3`}
 ///     \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, mesh)`} \cgalParamNEnd
 ///   \cgalParamNBegin{close_borders} \cgalParamDescription{the border loops to close virtually}
-///     \cgalParamDefault{`Close_borders::NONE`} \cgalParamNEnd
-///   \cgalParamNBegin{projection_weights} \cgalParamDescription{see `Projection_weights`}
-///     \cgalParamDefault{`Projection_weights::CENTROID`} \cgalParamNEnd
-///   \cgalParamNBegin{partition_report} \cgalParamDescription{a `std::reference_wrapper<Partition_report>`,
-///     filled even when the partition fails} \cgalParamNEnd
-///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel, a model of
-///     `SimpleManifoldsVisitor` passed by `std::ref`} \cgalParamNEnd
+///     \cgalParamType{`Close_borders`} \cgalParamDefault{`Close_borders::NONE`} \cgalParamNEnd
+///   \cgalParamNBegin{projection_weights} \cgalParamDescription{the weights of neighbours}
+///     \cgalParamType{`Projection_weights`} \cgalParamDefault{`Projection_weights::CENTROID`} \cgalParamNEnd
+///   \cgalParamNBegin{partition_report} \cgalParamDescription{what happened, filled even when the partition
+///     fails} \cgalParamType{`Partition_report`, by `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel} \cgalParamType{model of
+///     `SimpleManifoldsVisitor`, by `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throw Topology_error, Geometry_error  as `map_to_canonical_surface()`
 /// \throw Partition_error  when a step fails, or a vertex of a closed mesh has more than 2000 neighbours
@@ -301,6 +301,11 @@ template <class FaceListGraph, class NamedParameters = parameters::Default_named
 Any_mesh_map<FaceListGraph> map_by_partition(const FaceListGraph& mesh,
                                              const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MESH(FaceListGraph);
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(
+    NamedParameters, "vertex_point_map, close_borders, projection_weights, partition_report, visitor");
+  CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, partition_report);
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
   const auto [elements, arrays] = internal::numbered_mesh(mesh, np);
   return internal::with_mesh(internal::map_by_partition(arrays, np), elements);
 }

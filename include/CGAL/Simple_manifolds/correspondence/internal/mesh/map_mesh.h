@@ -17,6 +17,8 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/Mesh_elements.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/close_borders.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/mesh_to_triangles.h>
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+#include <CGAL/Simple_manifolds/internal/put_vector.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -35,18 +37,18 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
+template <class Graph>
+using Vertex_of = typename boost::graph_traits<Graph>::vertex_descriptor;
+
 // vertex: numbers what the caller names vertices by: descriptors of a mesh, or positions in arrays.
 template <class Soup, class Vertices, class NamedParameters>
 Mesh_arrays mesh_arrays(const Soup& soup, const std::vector<Eigen::Vector3d>& points, const Vertices& vertex,
                         const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   Mesh_arrays a = mesh_to_triangles(soup, points);
-  close_borders(a, choose_parameter(get_parameter(np, internal_np::close_borders), Close_borders::NONE));
-  if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters,
-                                                        internal_np::vertex_weight_map_t>::value) {
-    const auto weight = get_parameter(np, internal_np::vertex_weight_map);
+  close_borders(a, parameter(np, internal_np::close_borders, Close_borders::NONE));
+  if constexpr (has_parameter<internal_np::vertex_weight_map_t, NamedParameters>) {
+    const auto& weight = parameter(np, internal_np::vertex_weight_map);
     a.vertex_weight.assign(a.points.size(), 1.);
     for (std::size_t i = 0; i < vertex.size(); ++i) {
       CGAL_precondition(get(weight, vertex[i]) >= 0 && std::isfinite(get(weight, vertex[i])));
@@ -66,14 +68,12 @@ struct Numbered_mesh {
 template <class FaceListGraph, class NamedParameters>
 Numbered_mesh<FaceListGraph> numbered_mesh(const FaceListGraph& mesh, const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   const Polygon_soup soup(mesh);
   auto elements = std::make_shared<const Mesh_elements<FaceListGraph>>(mesh, soup);
   Mesh_arrays arrays =
     mesh_arrays(soup,
-                points_of_mesh(mesh, choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                                      get_const_property_map(CGAL::vertex_point, mesh))),
+                points_of_mesh(mesh, parameter(np, CGAL::internal_np::vertex_point,
+                                               get_const_property_map(CGAL::vertex_point, mesh))),
                 elements->vertex, np);
   return {std::move(elements), std::move(arrays)};
 }
@@ -114,8 +114,8 @@ std::vector<Indexed_landmark<Point>> landmarks_of(const Vertices& vertex, const 
                                                   const NamedParameters& np)
 {
   std::vector<Indexed_landmark<Point>> result;
-  if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters, internal_np::landmarks_t>::value) {
-    for (const auto& l : CGAL::parameters::get_parameter_reference(np, internal_np::landmarks)) {
+  if constexpr (has_parameter<internal_np::landmarks_t, NamedParameters>) {
+    for (const auto& l : parameter(np, internal_np::landmarks)) {
       CGAL_precondition(l.weight >= 0 && std::isfinite(l.weight) && l.point.allFinite());
       result.push_back({indices_of(vertex, a, std::array{l.vertex}).front(), l.point, l.weight});
     }
@@ -132,10 +132,8 @@ Manifold_map<Atlas> certified_map(const Layout_problem<Point>& problem, const Na
                                   const Make_geometry& make_geometry, const Read& read,
                                   const Make_map& make_map)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter_reference;
   Default_visitor default_visitor;
-  auto& visitor = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+  auto& visitor = parameter(np, CGAL::internal_np::visitor, default_visitor);
 
   std::optional<Manifold_map<Atlas>> result;
   std::string fault; // of the last attempt
@@ -168,11 +166,10 @@ template <class Vertices, class Atlas, class NamedParameters>
 void write_domain_points(const Vertices& vertex, const std::vector<int>& index,
                          const Manifold_map<Atlas>& map, const NamedParameters& np)
 {
-  if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters,
-                                                        internal_np::domain_point_map_t>::value) {
-    auto domain_point = CGAL::parameters::get_parameter(np, internal_np::domain_point_map);
+  if constexpr (has_parameter<internal_np::domain_point_map_t, NamedParameters>) {
+    const auto& domain_point = parameter(np, internal_np::domain_point_map);
     for (std::size_t i = 0; i < vertex.size(); ++i)
-      if (index[i] >= 0) put(domain_point, vertex[i], map.domain_point(index[i]));
+      if (index[i] >= 0) put_vector(domain_point, vertex[i], map.domain_point(index[i]));
   }
 }
 

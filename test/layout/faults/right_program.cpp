@@ -1,0 +1,3 @@
+// says: nothing, because it compiles
+
+int main() {}
