@@ -60,7 +60,7 @@ std::vector<Domain_shape<Atlas>> domain_shapes([[maybe_unused]] const Atlas& atl
   if constexpr (Has_shapes<Atlas>::value)
     return atlas.shapes();
   else
-    return {{"charts", true, &place_in_row_of_charts<Atlas>}};
+    return {{"canonical surface", true, &place_in_row_of_charts<Atlas>}};
 }
 
 // The unit normal of a shape, by differences.
