@@ -88,7 +88,7 @@ SM::Manifold_surface<Atlas> hierarchical_surface(double width)
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0, 1), detail(-1e-3, 1e-3);
   std::vector<SM::Hierarchical_embedding> charts;
-  for (int c = 0; c < Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < Atlas::number_of_charts(); ++c) {
     std::vector<Vector2d> centres;
     for (int k = 0; k < 6; ++k) centres.emplace_back(uniform(random), uniform(random));
     std::vector<SM::Hierarchical_embedding::Level> levels;
@@ -117,9 +117,9 @@ SM::Manifold_surface<Atlas> hierarchical_surface(double width)
 template <class Atlas>
 std::vector<typename Atlas::Domain_point> coherent_points()
 {
-  const int n = int(std::sqrt(double(number_of_points) / Atlas::number_of_charts)) + 1;
+  const int n = int(std::sqrt(double(number_of_points) / Atlas::number_of_charts())) + 1;
   std::vector<typename Atlas::Domain_point> points;
-  for (int tile = 0; tile < Atlas::number_of_charts; ++tile)
+  for (int tile = 0; tile < Atlas::number_of_charts(); ++tile)
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) points.push_back(Atlas().tile_point(tile, (i + .5) / n, (j + .5) / n));
   points.resize(number_of_points);
@@ -131,7 +131,7 @@ void measure_manifold(double width)
 {
   const SM::Manifold_surface<Atlas> surface = hierarchical_surface<Atlas>(width);
   Subject s{Atlas::name, "", 0, 0};
-  for (int c = 0; c < Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < Atlas::number_of_charts(); ++c) {
     s.controls += surface.chart_embedding(c).number_of_coefficients();
     s.pieces += surface.chart_embedding(c).number_of_leaves();
   }

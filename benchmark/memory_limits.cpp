@@ -97,7 +97,7 @@ int run(const std::string& domain, int faces)
       const double bytes = fit_clock.bytes();
       // What is fitted are the vertices and 9 points per leaf; the errors are measured there and at 3 points per face.
       double fitted = double(map.number_of_vertices());
-      for (int c = 0; c < map.atlas().number_of_charts; ++c)
+      for (int c = 0; c < map.atlas().number_of_charts(); ++c)
         fitted += 9. * double(surface.chart_embedding(c).number_of_leaves());
       const double measured = fitted + 3. * double(map.number_of_faces());
       std::cout << report.controls << " controls, " << fitted << " points fitted, " << measured

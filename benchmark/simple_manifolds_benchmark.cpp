@@ -39,7 +39,7 @@ struct Scenario {
   {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(0, 1);
-    std::uniform_int_distribution<int> tile(0, Atlas::number_of_charts - 1);
+    std::uniform_int_distribution<int> tile(0, Atlas::number_of_charts() - 1);
     for (int i = 0; i < 10000; ++i)
       points.push_back(Atlas().tile_point(tile(random), uniform(random), uniform(random)));
   }

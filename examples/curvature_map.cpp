@@ -25,7 +25,7 @@ using Vertex = Mesh::Vertex_index;
 /// Blue for -1 or less, white for 0, red for 1 or more.
 CGAL::IO::Color colour(double x)
 {
-  x = (std::min)(std::max(x, -1.), 1.);
+  x = (std::min)((std::max)(x, -1.), 1.);
   const auto pale = static_cast<unsigned char>(std::lround(255 * (1 - std::abs(x))));
   return x < 0 ? CGAL::IO::Color(pale, pale, 255) : CGAL::IO::Color(255, pale, pale);
 }

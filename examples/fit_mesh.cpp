@@ -183,7 +183,7 @@ int write(Job& job, const Map& map, const Surface& surface, const SM::Fit_report
 
   // As many vertices as the mesh has, roughly, so that the tessellation shows what was fitted.
   const int subdivisions = SM::Tile_grid<typename Map::Atlas>::subdivisions_for(
-    std::clamp(double(map.number_of_vertices()), 6000., 200000.));
+    std::clamp(double(map.number_of_vertices()), 6000., 200000.), map.atlas());
   metrics["parameters"] = std::move(parameters);
   metrics["parameters"]["subdivisions"] = subdivisions;
   job.watch.time("tessellate", [&] {

@@ -22,7 +22,7 @@ auto some_surface(int degree = 3)
 {
   int k = 0;
   std::vector<SM::Patch_stack_embedding> charts;
-  for (int c = 0; c < Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < Atlas::number_of_charts(); ++c) {
     const int nu = degree + 1 + c, nv = degree + 2;
     std::vector<Eigen::Vector3d> dense(nu * nv), sparse(2);
     for (auto& x : dense) x = some_vector(++k);
@@ -38,7 +38,7 @@ template <class Atlas>
 SM::Manifold_surface<Atlas> hierarchical_surface()
 {
   std::vector<SM::Hierarchical_embedding> charts;
-  for (int c = 0; c < Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < Atlas::number_of_charts(); ++c) {
     using Level = SM::Hierarchical_embedding::Level;
     Level base = {4, {}, {}}, fine = {16, {3, 5, 40 + c}, {}};
     for (int i = 0; i < 49; ++i) base.indices.push_back(i);
@@ -52,7 +52,7 @@ SM::Manifold_surface<Atlas> hierarchical_surface()
 template <class Surface>
 bool same_surface(const Surface& a, const Surface& b)
 {
-  for (int c = 0; c < Surface::Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < Surface::Atlas::number_of_charts(); ++c) {
     const auto &p = a.chart_embedding(c).patches(), &q = b.chart_embedding(c).patches();
     if (p.size() != q.size()) return false;
     for (std::size_t i = 0; i < p.size(); ++i)
@@ -110,7 +110,7 @@ TEMPLATE_TEST_CASE("hierarchical surfaces read back bit for bit", "", SM::Plane_
   using Surface = std::decay_t<decltype(surface)>;
   SM::write_surface(file, surface);
   const Surface copy = SM::read_surface<Surface>(file);
-  for (int c = 0; c < TestType::number_of_charts; ++c) {
+  for (int c = 0; c < TestType::number_of_charts(); ++c) {
     const auto &a = surface.chart_embedding(c), &b = copy.chart_embedding(c);
     CHECK(a.degree() == b.degree());
     REQUIRE(a.levels().size() == b.levels().size());

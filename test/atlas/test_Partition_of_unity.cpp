@@ -297,7 +297,7 @@ TEST_CASE("the sum of bumps is never 0, next to all borders of charts")
           Vector3d p;
           p[axis] = z + y;
           p[(axis + 1) % 3] = x - y;
-          p[(axis + 2) % 3] = -std::sqrt(std::max(0., 1 - z * z)) - x;
+          p[(axis + 2) % 3] = -std::sqrt((std::max)(0., 1 - z * z)) - x;
           p = sphere.atlas().canonical(p);
           double sum = 0;
           Scalar_jet total = Scalar_jet::zero();

@@ -239,7 +239,7 @@ TEST_CASE("the area of a chart of the sphere, and of the sphere")
     }
     CHECK(area == Approx(4 * pi * std::sin(3 * pi / 8) / 2).epsilon(1e-6)); // 46.19 % of the sphere
   }
-  CHECK(Sphere_atlas::area == Approx(4 * pi).epsilon(1e-15));
+  CHECK(Sphere_atlas::area() == Approx(4 * pi).epsilon(1e-15));
 }
 
 TEST_CASE("the sphere's charts are open, in floating point too")

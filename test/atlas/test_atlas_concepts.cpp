@@ -1,6 +1,7 @@
 // The concepts of the layer: archetypes that provide no more than the pages promise are enough for
 // Partition_of_unity, and the models provide all that the pages promise.
 
+#include "../Atlas_archetype.h"
 #include "catch.h"
 #include "truth.h"
 
@@ -10,6 +11,8 @@
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -19,118 +22,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 namespace {
-
-// A user's chart and atlas: the circle's idea taken to two dimensions, four charts of the flat torus, each
-// the whole of it but for two lines.
-class Chart_archetype {
-public:
-  using Domain_point = Vector2d;
-
-  explicit Chart_archetype(double u, double v) : origin_(u, v) {}
-  Chart_archetype(const Chart_archetype&) = default;
-  Chart_archetype& operator=(const Chart_archetype&) = default;
-
-  bool contains(const Domain_point& p) const { return p[0] != origin_[0] && p[1] != origin_[1]; }
-  Vector2d coordinates(const Domain_point& p) const { return wrap(p - origin_); }
-  Domain_point point(const Vector2d& uv) const { return wrap(uv + origin_); }
-  Basic_jet<Domain_point> point_jet(const Vector2d& uv) const { return identity_jet(point(uv)); }
-  Basic_jet<Domain_point> jet_at(const Domain_point& p) const { return identity_jet(p); }
-
-  Transition_jet coordinates_jet(const Basic_jet<Domain_point>& p) const
-  {
-    Transition_jet q = p;
-    q.value = coordinates(p.value);
-    return q;
-  }
-
-private:
-  static Vector2d wrap(const Vector2d& p) { return p - p.array().floor().matrix(); }
-
-  Vector2d origin_;
-};
-
-class Chart_list_archetype {
-public:
-  auto begin() const { return charts_.begin(); }
-  auto end() const { return charts_.end(); }
-  std::size_t size() const { return charts_.size(); }
-  Chart_list_archetype(const std::vector<Chart_point>& charts) : charts_(charts) {}
-
-private:
-  std::vector<Chart_point> charts_;
-};
-
-class Atlas_archetype {
-public:
-  using Domain_point = Vector2d;
-  using Chart = Chart_archetype;
-  using Chart_list = Chart_list_archetype;
-  static constexpr int genus = 1;
-  static constexpr bool is_closed = true;
-  static constexpr int number_of_charts = 4;
-  static constexpr int max_charts_per_point = 4;
-  static constexpr const char* name = "archetype";
-  static constexpr double area = 1;
-
-  Chart chart(int c) const { return Chart(c % 2 * 0.5, c / 2 * 0.5); }
-  bool contains(int c, const Domain_point& p) const { return chart(c).contains(p); }
-  Vector2d coordinates(int c, const Domain_point& p) const { return chart(c).coordinates(p); }
-  Domain_point point(const Chart_point& q) const { return chart(q.chart).point(q.uv); }
-
-  Chart_list charts_at(const Domain_point& p) const
-  {
-    std::vector<Chart_point> list;
-    for (int c = 0; c < 4; ++c) {
-      if (contains(c, p)) {
-        list.push_back({c, coordinates(c, p)});
-      }
-    }
-    return list;
-  }
-
-  int best_chart(const Domain_point& p) const { return tile(p); }
-  bool has_transition(int, int) const { return true; }
-
-  Vector2d transition(int i, int j, const Vector2d& uv) const
-  {
-    return i == j ? uv : coordinates(j, chart(i).point(uv));
-  }
-
-  Transition_jet transition_jet(int i, int j, const Vector2d& uv) const
-  {
-    return identity_jet(transition(i, j, uv));
-  }
-
-  int tile(const Domain_point& p) const
-  {
-    const auto index = [](double u) { return u >= 0.25 && u < 0.75 ? 0 : 1; };
-    return index(p[0]) + 2 * index(p[1]);
-  }
-
-  Domain_point tile_point(int tile, double s, double t) const
-  {
-    return chart(tile).point({0.25 + 0.5 * s, 0.25 + 0.5 * t});
-  }
-
-  int orientation(const Domain_point& p, const Domain_point& q, const Domain_point& r) const
-  {
-    return Torus_atlas().orientation(p, q, r);
-  }
-
-  Domain_point interpolate(const Domain_point& p, const Domain_point& q, const Domain_point& r,
-                           const Vector3d& b) const
-  {
-    return Torus_atlas().interpolate(p, q, r, b);
-  }
-
-  Vector3d barycentric(const Domain_point& p, const Domain_point& q, const Domain_point& r,
-                       const Domain_point& x) const
-  {
-    return Torus_atlas().barycentric(p, q, r, x);
-  }
-
-  Domain_point canonical(const Domain_point& p) const { return Torus_atlas().canonical(p); }
-};
 
 // sin^2: once differentiable, of no family of the library.
 class Bump_archetype {
@@ -150,37 +41,53 @@ public:
   }
 };
 
-// Every member of the page, with its type.
+// Every member of the page, with what it promises.
 template <class Atlas>
-void check_model_of_atlas()
+void check_model_of_atlas(const Atlas& atlas)
 {
   using Point = typename Atlas::Domain_point;
   using Chart = typename Atlas::Chart;
-  static_assert(std::is_default_constructible_v<Atlas> && std::is_copy_constructible_v<Atlas> &&
-                std::is_copy_assignable_v<Atlas>);
+  static_assert(std::is_copy_constructible_v<Atlas> && std::is_copy_assignable_v<Atlas>);
   static_assert(std::is_copy_constructible_v<Chart> && std::is_copy_assignable_v<Chart>);
   static_assert(std::is_same_v<Point, typename Chart::Domain_point>);
   static_assert(std::is_same_v<Point, Vector2d> || std::is_same_v<Point, Vector3d>);
-  static_assert(Atlas::genus >= 0 && Atlas::max_charts_per_point <= Atlas::number_of_charts);
+  static_assert(Atlas::coordinate_names.size() == Point::RowsAtCompileTime);
 
-  const Atlas atlas;
+  const int n = atlas.number_of_charts();
+  CHECK(atlas.genus() >= 0);
+  CHECK(Atlas::max_charts_per_point <= n);
+  CHECK(Atlas::has_single_chart == (n == 1));
   CHECK(std::string(Atlas::name) != "");
-  CHECK(Atlas::area > 0);
-  CHECK(bool(Atlas::is_closed) == (std::string(Atlas::name) != "plane"));
+  CHECK(atlas.area() > 0);
+  double tile_area = 0; // by the midpoint rule
+  for (int tile = 0; tile < n; ++tile)
+    for (int i = 0; i < 64; ++i)
+      for (int j = 0; j < 64; ++j)
+        tile_area += atlas.tile_area_element(tile, (i + 0.5) / 64, (j + 0.5) / 64) / 4096;
+  CHECK(tile_area == Approx(atlas.area()).epsilon(1e-3));
+
   truth::Random random(1);
   for (int i = 0; i < 200; ++i) {
-    const int t = random.index(Atlas::number_of_charts);
+    const int t = random.index(n);
     const double s = random.uniform(0.01, 0.99);
     const Point p = atlas.tile_point(t, s, random.uniform(0.01, 0.99));
     const int best = atlas.best_chart(p);
+    REQUIRE(atlas.is_valid(p));
+    REQUIRE(atlas.is_valid(atlas.equal_area_point(random.uniform(), random.uniform())));
+    REQUIRE_FALSE(atlas.is_on_border(p));
+    REQUIRE(atlas.squared_distance(p, atlas.query(p)) == 0);
     REQUIRE(atlas.tile(p) == t);
     REQUIRE(best == t);
     const typename Atlas::Chart_list list = atlas.charts_at(p);
+    const typename Atlas::Chart_numbers numbers = atlas.chart_numbers_at(p);
     REQUIRE(list.size() <= std::size_t(Atlas::max_charts_per_point));
+    REQUIRE(numbers.size() == list.size());
+    auto number = numbers.begin();
     int previous = -1;
     bool has_best = false;
     for (const Chart_point& q : list) {
       const Chart chart = atlas.chart(q.chart);
+      REQUIRE(q.chart == *number++);
       REQUIRE(q.chart > previous);
       previous = q.chart;
       has_best |= q.chart == best;
@@ -193,6 +100,7 @@ void check_model_of_atlas()
       // the derivatives of a chart and of its inverse
       const Basic_jet<Point> by_uv = chart.point_jet(q.uv), by_p = chart.jet_at(p);
       REQUIRE(truth::difference(by_uv, by_p) < 1e-13);
+      REQUIRE(atlas.area_element(by_p) > 0);
       const Transition_jet identity = chart.coordinates_jet(by_p);
       REQUIRE(truth::difference(identity, identity_jet(q.uv)) < 1e-13);
       REQUIRE(atlas.has_transition(best, q.chart));
@@ -201,14 +109,50 @@ void check_model_of_atlas()
       REQUIRE(psi.value == atlas.transition(best, q.chart, uv));
       REQUIRE((psi.value - q.uv).norm() < 1e-14);
       REQUIRE(truth::difference(psi, chart.coordinates_jet(atlas.chart(best).point_jet(uv))) < 1e-14);
+      if constexpr (Atlas::has_flat_transitions)
+        REQUIRE(truth::difference(psi, identity_jet(psi.value)) < 1e-15);
     }
     REQUIRE(has_best);
     const Point q = atlas.tile_point(t, s, 0.995), r = atlas.tile_point(t, 0.005, 0.002);
+    REQUIRE(atlas.is_triangle(p, q, r));
     REQUIRE(atlas.orientation(p, q, r) == 1); // p is on the right side of the directed edge from q to r
+    REQUIRE(atlas.orientation(p, q, atlas.deck(p, q), r, atlas.deck(p, r)) == 1);
+    REQUIRE((atlas.deck(p, q) * atlas.deck(p, q).inverse()).is_identity());
+    REQUIRE(atlas.signed_area(p, q, r) > 0);
     const Vector3d b(0.2, 0.3, 0.5);
     const Point x = atlas.interpolate(p, q, r, b);
     REQUIRE((atlas.canonical(x) - x).norm() == 0);
     REQUIRE((atlas.barycentric(p, q, r, x) - b).norm() < 1e-10);
+    REQUIRE(atlas.side_of_step(p, q, p) == -atlas.side_of_step(q, p, q));
+    const Point m = atlas.midpoint(p, q);
+    REQUIRE(atlas.squared_distance(p, m) == Approx(atlas.squared_distance(q, m)));
+    REQUIRE(atlas.edge_size(p, m) < atlas.edge_size(p, q));
+
+    // a star in the tile
+    const std::vector<Point> ring = {q, r, atlas.tile_point(t, 0.995, 0.005)};
+    const int chart = atlas.chart_of_star(p, ring);
+    REQUIRE(chart == t);
+    const auto charts = atlas.charts_of_star(p, ring);
+    REQUIRE(std::find(charts.begin(), charts.end(), chart) != charts.end());
+    REQUIRE(atlas.is_triangle_in_chart(chart, p, q, r));
+    REQUIRE(atlas.star_in_chart(chart, p, ring).size() == 3);
+    if (const auto k = atlas.kernel_point(p, ring)) {
+      for (int c = 0; c < 3; ++c) REQUIRE(atlas.orientation(*k, ring[c], ring[(c + 1) % 3]) == 1);
+    }
+
+    // the pictures: a plane through an edge has the third corner on one side, in each copy
+    const Vector3d h = atlas.homogeneous(p, p);
+    REQUIRE((atlas.homogeneous_jet(atlas.chart(t).jet_at(p)).value - h).norm() < 1e-15);
+    int copies = 0;
+    atlas.for_each_copy(p, q, r, [&](int picture, const typename Atlas::Picture_copy& copy) {
+      ++copies;
+      REQUIRE(picture < atlas.number_of_pictures());
+      const auto corners = atlas.homogeneous(p, q, r, copy);
+      REQUIRE(corners[0].dot(corners[1].cross(corners[2])) > 0);
+      if constexpr (Atlas::has_flat_pictures) REQUIRE(corners[2].z() == 1);
+    });
+    REQUIRE(copies > 0);
+    REQUIRE(atlas.picture(p) < atlas.number_of_pictures());
   }
 }
 
@@ -237,13 +181,13 @@ void check_model_of_bump()
 }
 
 template <class Partition>
-void check_partition()
+void check_partition(const typename Partition::Atlas& atlas)
 {
-  const Partition partition{typename Partition::Bump(), typename Partition::Atlas()};
+  const Partition partition{typename Partition::Bump(), atlas};
   truth::Random random(3);
   for (int i = 0; i < 500; ++i) {
-    const auto p = partition.atlas().tile_point(random.index(Partition::Atlas::number_of_charts),
-                                                random.uniform(), random.uniform());
+    const auto p = partition.atlas().tile_point(random.index(atlas.number_of_charts()), random.uniform(),
+                                                random.uniform());
     double sum = 0;
     for (const auto& w : partition.weights(p)) {
       sum += w.weight;
@@ -260,16 +204,18 @@ void check_partition()
   }
 }
 
+const archetype::Atlas an_atlas(std::array<int, 2>{{4, 3}});
+
 } // namespace
 
 TEST_CASE("the atlases are models of ManifoldAtlas, their charts of ManifoldChart")
 {
-  check_model_of_atlas<Plane_atlas>();
-  check_model_of_atlas<Sphere_atlas>();
-  check_model_of_atlas<Torus_atlas>();
-  CHECK((Plane_atlas::genus == 0 && Sphere_atlas::genus == 0 && Torus_atlas::genus == 1));
-  CHECK((Plane_atlas::number_of_charts == 1 && Sphere_atlas::number_of_charts == 6 &&
-         Torus_atlas::number_of_charts == 9));
+  check_model_of_atlas(Plane_atlas());
+  check_model_of_atlas(Sphere_atlas());
+  check_model_of_atlas(Torus_atlas());
+  CHECK((Plane_atlas::genus() == 0 && Sphere_atlas::genus() == 0 && Torus_atlas::genus() == 1));
+  CHECK((Plane_atlas::number_of_charts() == 1 && Sphere_atlas::number_of_charts() == 6 &&
+         Torus_atlas::number_of_charts() == 9));
 }
 
 TEST_CASE("the bumps are models of BumpFunction")
@@ -281,28 +227,27 @@ TEST_CASE("the bumps are models of BumpFunction")
 
 TEST_CASE("the archetypes are models of their concepts")
 {
-  check_model_of_atlas<Atlas_archetype>();
+  check_model_of_atlas(an_atlas);
   check_model_of_bump<Bump_archetype>();
 }
 
 TEST_CASE("a partition of unity needs no more than the concepts promise")
 {
-  check_partition<Partition_of_unity<Atlas_archetype, Bump_archetype>>();
-  check_partition<Partition_of_unity<Atlas_archetype>>();
-  check_partition<Partition_of_unity<Sphere_atlas, Bump_archetype>>();
-  check_partition<Partition_of_unity<Torus_atlas, Bump_archetype>>();
+  check_partition<Partition_of_unity<archetype::Atlas, Bump_archetype>>(an_atlas);
+  check_partition<Partition_of_unity<archetype::Atlas>>(an_atlas);
+  check_partition<Partition_of_unity<Sphere_atlas, Bump_archetype>>(Sphere_atlas());
+  check_partition<Partition_of_unity<Torus_atlas, Bump_archetype>>(Torus_atlas());
 }
 
-TEMPLATE_TEST_CASE("the shapes of an atlas are positively oriented, and whole where they are not flat", "",
-                   Plane_atlas, Sphere_atlas, Torus_atlas, Atlas_archetype)
+template <class Atlas>
+void check_shapes(const Atlas& atlas)
 {
-  const TestType atlas;
   const auto shapes = CGAL::Simple_manifolds::internal::domain_shapes(atlas);
   REQUIRE(!shapes.empty());
   for (const auto& shape : shapes) {
     CAPTURE(shape.title);
     double turned = 0, off = 0, cut = 0;
-    for (int tile = 0; tile < atlas.number_of_charts; ++tile)
+    for (int tile = 0; tile < atlas.number_of_charts(); ++tile)
       for (const double u : {0.3, 0.45, 0.6})
         for (const double v : {0.35, 0.5, 0.7}) {
           const Chart_point q{tile, {u, v}};
@@ -315,7 +260,7 @@ TEMPLATE_TEST_CASE("the shapes of an atlas are positively oriented, and whole wh
           }
           // The sphere has the radius 1, and so has the tube of the ring round its circle of radius 1.5.
           Vector3d centre = Vector3d::Zero();
-          if (atlas.genus == 1) centre = 1.5 * Vector3d(x.x(), x.y(), 0).normalized();
+          if (atlas.genus() == 1) centre = 1.5 * Vector3d(x.x(), x.y(), 0).normalized();
           turned = (std::max)(turned, (n - (x - centre)).norm());
           off = (std::max)(off, std::abs((x - centre).norm() - 1));
           for (const Chart_point& other : atlas.charts_at(atlas.point(q)))
@@ -325,4 +270,12 @@ TEMPLATE_TEST_CASE("the shapes of an atlas are positively oriented, and whole wh
     CHECK(off < 1e-12);
     CHECK(cut < 1e-12);
   }
+}
+
+TEST_CASE("the shapes of an atlas are positively oriented, and whole where they are not flat")
+{
+  check_shapes(Plane_atlas());
+  check_shapes(Sphere_atlas());
+  check_shapes(Torus_atlas());
+  check_shapes(an_atlas);
 }

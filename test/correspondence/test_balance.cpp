@@ -86,7 +86,8 @@ TEST_CASE("faces that were flipped are put right, and what cannot be is said")
   mesh.ring(20, ring);
   m.domain_points[20] = (2 * m.domain_points[ring[0]] - m.domain_points[20]).normalized();
   REQUIRE(certify(Sphere_atlas(), m.domain_points, m.faces).flipped > 0);
-  internal::Star_repair<Sphere_atlas> repair(mesh, m.domain_points);
+  const Sphere_atlas atlas;
+  internal::Star_repair<Sphere_atlas> repair(atlas, mesh, m.domain_points);
   CHECK(repair.remove_flips());
   CHECK(certify(Sphere_atlas(), m.domain_points, m.faces).is_valid());
 
@@ -112,14 +113,15 @@ TEST_CASE("the criteria 2 and 3 are met by moves where moves can do it")
       m.domain_points[v] = ((a + b).normalized() + 1e-4 * old).normalized();
       std::vector<Vector3d> star;
       for (int w : ring) star.push_back(m.domain_points[w]);
-      if (internal::Star_repair<Sphere_atlas>::is_star_positive(m.domain_points[v], star) &&
+      if (internal::Star_repair<Sphere_atlas>(atlas, mesh, m.domain_points)
+            .is_star_positive(m.domain_points[v], star) &&
           !internal::star_criteria(atlas, m.domain_points[v], star, true).contains_vertex)
         moved = v;
     }
     if (moved == -1) m.domain_points[v] = old;
   }
   REQUIRE(moved != -1);
-  CHECK(internal::Star_repair<Sphere_atlas>(mesh, m.domain_points).meet_criteria({moved}).empty());
+  CHECK(internal::Star_repair<Sphere_atlas>(atlas, mesh, m.domain_points).meet_criteria({moved}).empty());
   CHECK(criteria_report(atlas, m.domain_points, m.faces).holds_at_each_vertex());
   CHECK(certify(atlas, m.domain_points, m.faces).is_valid());
 }
@@ -153,8 +155,8 @@ TEST_CASE("a translation of a torus changes no edge, bit for bit")
   for (const Triangle& t : map.faces())
     for (int k = 0; k < 3; ++k) {
       const int v = t[k], w = t[(k + 1) % 3];
-      CHECK(internal::shortest_difference(map.domain_point(v), map.domain_point(w)) ==
-            internal::shortest_difference(balanced.domain_point(v), balanced.domain_point(w)));
+      CHECK(Torus_atlas::difference(map.domain_point(v), map.domain_point(w)) ==
+            Torus_atlas::difference(balanced.domain_point(v), balanced.domain_point(w)));
     }
 }
 
@@ -164,7 +166,6 @@ TEST_CASE("the counts that the search sees are those of the result")
   for (Vector2d& p : m.domain_points) // more of them on one side
     p[0] = 0.8 * p[0] * p[0] + 0.2 * p[0];
   const auto map = map_of(m);
-  const auto t = internal::Torus_balance(map.domain_points(), map.faces()).translation();
   double least = 10;
   for (int j = 0; j < 120; j += 7) // some of the candidates, the long way
     for (int i = 0; i < 120; i += 3) {
@@ -172,8 +173,8 @@ TEST_CASE("the counts that the search sees are those of the result")
       for (Vector2d& p : moved) p = Torus_atlas().canonical(p + Vector2d((i + 0.5) / 360, (j + 0.5) / 360));
       least = (std::min)(least, chart_report(Torus_atlas(), moved, map.faces()).variation);
     }
-  auto moved = map.domain_points();
-  for (Vector2d& p : moved) p = Torus_atlas().canonical(p + t);
+  const std::vector<Vector2d> moved =
+    *Torus_atlas().balancing_motions(map.domain_points(), map.faces()).next();
   CHECK(chart_report(Torus_atlas(), moved, map.faces()).variation <= least + 1e-12);
   CHECK(balance(map).domain_points() == moved);
 }

@@ -5,12 +5,12 @@
 
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Collapse_hierarchy.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/engine/Star_kernel.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/lay_out.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Plane_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Sphere_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/torus_cocycles.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/split_edges.h>
+#include <CGAL/Simple_manifolds/internal/Star_kernel.h>
 
 using namespace CGAL::Simple_manifolds;
 using namespace CGAL::Simple_manifolds::internal;

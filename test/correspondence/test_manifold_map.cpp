@@ -58,7 +58,7 @@ void check_map(const sample::Map_arrays<Atlas>& m)
       check_location(map, map.to_domain({static_cast<int>(f), middle}));
     }
   }
-  for (int tile = 0; tile < Atlas::number_of_charts; ++tile)
+  for (int tile = 0; tile < Atlas::number_of_charts(); ++tile)
     for (double s : {0., .5, 1.})
       for (double t : {0., .5, 1.}) check_location(map, map.atlas().tile_point(tile, s, t));
 }
@@ -102,7 +102,7 @@ namespace {
 template <class Atlas>
 void check_search(const sample::Map_arrays<Atlas>& m)
 {
-  const internal::Face_tree<Atlas> tree(m.domain_points, m.faces);
+  const internal::Face_tree<Atlas> tree(Atlas(), m.domain_points, m.faces);
   CHECK(static_cast<double>(tree.bytes()) < 48. * static_cast<double>(m.faces.size()));
   sample::Random_points random;
   long tried = 0, most = 0;
@@ -110,9 +110,10 @@ void check_search(const sample::Map_arrays<Atlas>& m)
   for (int i = 0; i < n; ++i) {
     const auto x = random.point(Atlas());
     long count = 0;
-    CHECK(tree.find(x, [&](int f) {
+    CHECK(tree.find(Atlas(), x, [&](int f) {
       ++count;
-      const internal::Face_sheet<Atlas> sheet(Atlas(), m.domain_points, m.faces[f], x);
+      const Atlas atlas;
+      const internal::Face_sheet<Atlas> sheet(atlas, m.domain_points, m.faces[f], x);
       return sheet.side(0) >= 0 && sheet.side(1) >= 0 && sheet.side(2) >= 0;
     }));
     tried += count;
@@ -292,10 +293,10 @@ TEST_CASE("an arc can leave a chart that has its ends")
   REQUIRE(atlas.contains(0, a));
   REQUIRE(atlas.contains(0, b));
   CHECK(!atlas.contains(0, (a + b).normalized()));
-  CHECK(!internal::is_arc_in_chart(atlas, 0, a, b));
-  CHECK(!internal::is_arc_in_chart(atlas, 0, b, a));
-  const Eigen::Vector3d near(r * std::cos(0.4), r * std::sin(0.4), z);
-  CHECK(internal::is_arc_in_chart(atlas, 0, a, near));
+  CHECK(!atlas.is_triangle_in_chart(0, a, b, b));
+  CHECK(!atlas.is_triangle_in_chart(0, b, a, a));
+  const Eigen::Vector3d c(r * std::cos(0.4), r * std::sin(0.4), z);
+  CHECK(atlas.is_triangle_in_chart(0, a, c, c));
 }
 
 TEST_CASE("many threads may ask the same map")

@@ -121,7 +121,7 @@ TEST_CASE("Within a chart the correspondence goes both ways", "[paper]")
     int found = 0;
     for (int i = 0; i < 500; ++i) {
       const auto location = random_location(map, random);
-      for (int c = 0; c < Map::Atlas::number_of_charts; ++c) {
+      for (int c = 0; c < Map::Atlas::number_of_charts(); ++c) {
         const auto uv = charts.to_chart(c, location);
         const Triangle& t = map.face(location.face);
         bool is_in_chart = true;
@@ -168,7 +168,7 @@ TEST_CASE("On torus and square all charts agree, and with the global corresponde
     for (int i = 0; i < 500; ++i) {
       const auto location = random_location(map, random);
       const auto p = charts.to_domain(location);
-      CHECK(internal::squared_distance(map.atlas(), p, map.to_domain(location)) < 1e-28);
+      CHECK(map.atlas().squared_distance(p, map.to_domain(location)) < 1e-28);
       const auto back = charts.to_mesh(p);
       REQUIRE(back);
       CHECK((map.position(*back) - map.position(location)).norm() < 1e-12 * map.diagonal());

@@ -36,7 +36,7 @@ std::vector<typename Atlas::Domain_point> corners_of_tile(int c)
 template <class Atlas, class FaceTileMap>
 void check_partition(const Mesh& mesh, const Tile_partition<Mesh>& partition, FaceTileMap tile)
 {
-  constexpr int n = Atlas::number_of_charts;
+  constexpr int n = Atlas::number_of_charts();
   REQUIRE(partition.sides.size() == n);
   std::vector<int> sides_at(num_vertices(mesh), 0), place(num_vertices(mesh), -1);
   std::vector<typename Atlas::Domain_point> places;
@@ -66,7 +66,7 @@ void check_partition(const Mesh& mesh, const Tile_partition<Mesh>& partition, Fa
     }
   }
   // V - E + F = 2 - 2 genus of the polygons, each corner in three tiles (sphere) or four (torus).
-  CHECK(places.size() == (Atlas::is_closed ? (Atlas::genus == 0 ? 8 : 9) : 4));
+  CHECK(places.size() == (Atlas::is_closed ? (Atlas::genus() == 0 ? 8 : 9) : 4));
   for (const Vertex v : vertices(mesh)) {
     CHECK(sides_at[v] <= (Atlas::is_closed ? 2 : 1)); // of the two tiles at a side: no path touches another
     if (place[v] != -1) CHECK(sides_at[v] == 0);
@@ -87,7 +87,7 @@ bool is_mapped(const Mesh& mesh)
   const auto tile = get(CGAL::dynamic_face_property_t<int>(), mesh);
   Tile_partition<Mesh> partition;
   try {
-    if constexpr (Atlas::genus == 0)
+    if constexpr (Atlas::genus() == 0)
       partition = sphere_partition(mesh, tile);
     else
       partition = torus_partition(mesh, tile);
@@ -130,7 +130,7 @@ Mesh_map<Mesh, Atlas> mapped(const Mesh& mesh, Partition_report& report)
   for (const Vertex v : vertices(mesh))
     CHECK(map.point(v) == Vector3d(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()));
   CHECK(report.tile.size() == report.faces.size());
-  CHECK(std::set<int>(report.tile.begin(), report.tile.end()).size() == Atlas::number_of_charts);
+  CHECK(std::set<int>(report.tile.begin(), report.tile.end()).size() == Atlas::number_of_charts());
   return map;
 }
 
@@ -330,7 +330,7 @@ TEST_CASE("Reprojection and centroids make the tiles equal", "[paper]")
   const auto partition = sphere_partition(mesh, tile);
   project_tiles(atlas, mesh, partition, tile, domain_point);
   // A face belongs to the tile that it was projected to.
-  std::array<std::size_t, 6> count{};
+  std::vector<std::size_t> count(6, 0);
   for (const Face f : faces(mesh)) ++count[get(tile, f)];
   CHECK(faces_per_tile(atlas, mesh, domain_point) == count);
   // Pushing the border of a chart away from its centre takes faces out of its tile.

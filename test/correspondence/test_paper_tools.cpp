@@ -3,6 +3,7 @@
 #include "catch.h"
 #include "paper_samples.h"
 
+#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/paper/map/adjust_centroids.h>
 #include <CGAL/Simple_manifolds/paper/map/distances.h>
 #include <CGAL/Simple_manifolds/paper/map/grow_disk.h>

@@ -35,7 +35,7 @@ public:
 
   Analytic_map(Function f, int n = 16) : f_(f)
   {
-    for (int t = 0; t < Atlas::number_of_charts; ++t) {
+    for (int t = 0; t < Atlas::number_of_charts(); ++t) {
       const int first = int(points_.size());
       for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= n; ++j) points_.push_back(Atlas().tile_point(t, double(i) / n, double(j) / n));
@@ -88,7 +88,7 @@ std::vector<typename Atlas::Domain_point> random_domain_points(std::size_t n, un
   const auto uniform = [&] { return engine() / 4294967296.; };
   std::vector<typename Atlas::Domain_point> points;
   for (std::size_t k = 0; k < n; ++k) {
-    if constexpr (Atlas::genus == 0 && Atlas::is_closed) {
+    if constexpr (Atlas::genus() == 0 && Atlas::is_closed) {
       const double z = 2 * uniform() - 1, phi = 6.283185307179586 * uniform(), r = std::sqrt(1 - z * z);
       points.push_back(Eigen::Vector3d(r * std::cos(phi), r * std::sin(phi), z).normalized());
     } else {

@@ -132,14 +132,14 @@ inline Ellipsoid_surface ellipsoid(const Vector3d& axes, double bump = 0,
                                    const Vector3d& centre = Vector3d::Zero())
 {
   std::vector<Ellipsoid> charts;
-  for (int c = 0; c < Sphere_atlas::number_of_charts; ++c) charts.emplace_back(c, axes, bump, centre);
+  for (int c = 0; c < Sphere_atlas::number_of_charts(); ++c) charts.emplace_back(c, axes, bump, centre);
   return Ellipsoid_surface(charts);
 }
 
 inline Ring_surface ring(double large, double small, double bump = 0)
 {
   std::vector<Ring> charts;
-  for (int c = 0; c < Torus_atlas::number_of_charts; ++c) charts.emplace_back(c, large, small, bump);
+  for (int c = 0; c < Torus_atlas::number_of_charts(); ++c) charts.emplace_back(c, large, small, bump);
   return Ring_surface(charts);
 }
 

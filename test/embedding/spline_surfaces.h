@@ -22,7 +22,7 @@ auto spline_surface(const Function& f, int cells, double noise = 0, unsigned see
   const auto random = [&] { return noise * (engine() / 2147483648. - 1); };
   const int degree = 3, n = cells + degree;
   std::vector<SM::Patch_stack_embedding> charts;
-  for (int c = 0; c < Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < Atlas::number_of_charts(); ++c) {
     std::vector<Eigen::Vector3d> controls;
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {

@@ -23,7 +23,7 @@ SM::Manifold_surface<Atlas, SM::Patch_stack_embedding, Bump> rough_surface(const
 {
   const int cells = 8, n = cells + degree;
   std::vector<SM::Patch_stack_embedding> charts;
-  for (int c = 0; c < Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < Atlas::number_of_charts(); ++c) {
     std::vector<Vector3d> x;
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
@@ -90,7 +90,7 @@ template <class Atlas, class Bump = SM::Smoothstep_bump<2>>
 SM::Manifold_surface<Atlas, SM::Hierarchical_embedding, Bump> hierarchical_surface(int degree = 3)
 {
   std::vector<SM::Hierarchical_embedding> charts;
-  for (int c = 0; c < Atlas::number_of_charts; ++c)
+  for (int c = 0; c < Atlas::number_of_charts(); ++c)
     charts.push_back(random_hierarchy(degree, 4, 2 + c % 4, {.2 + .07 * c, .6}, c));
   return SM::Manifold_surface<Atlas, SM::Hierarchical_embedding, Bump>(charts);
 }

@@ -19,7 +19,7 @@ namespace {
 template <class Atlas, class Function>
 SM::Manifold_map<Atlas> grid_map(int n, const Function& f)
 {
-  const bool is_torus = Atlas::genus == 1;
+  const bool is_torus = Atlas::genus() == 1;
   const int m = is_torus ? n : n + 1;
   std::vector<Vector2d> q;
   std::vector<Vector3d> x;

@@ -212,7 +212,7 @@ TEST_CASE("On a disk the closest point can lie on the border or in a corner")
   const SM::Closest_point_finder<analytic::Paraboloid_surface> finder(flat);
   int inside = 0, border = 0, corner = 0;
   for (const Vector3d& x : random_points(1000, 3)) {
-    const Vector2d foot(std::min(std::max(x.x(), 0.), 1.), (std::min)(std::max(x.y(), 0.), 1.));
+    const Vector2d foot((std::min)((std::max)(x.x(), 0.), 1.), (std::min)((std::max)(x.y(), 0.), 1.));
     const auto r = finder(x);
     CHECK((r.domain_point - foot).norm() < 1e-12);
     CHECK(std::abs(r.distance - (x - Vector3d(foot.x(), foot.y(), 0)).norm()) < 1e-13);

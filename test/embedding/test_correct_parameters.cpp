@@ -45,7 +45,7 @@ template <class Map>
 SM::Fit_report report_of(const Map& map)
 {
   SM::Fit_report report;
-  SM::fit_surface(map, SM::parameters::max_controls(Map::Atlas::number_of_charts * 49)
+  SM::fit_surface(map, SM::parameters::max_controls(Map::Atlas::number_of_charts() * 49)
                          .rms_error(1e-9)
                          .fit_report(std::ref(report)));
   return report;

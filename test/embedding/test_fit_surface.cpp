@@ -46,7 +46,8 @@ Error independent_error(const Surface& surface, const Map& map, const typename M
 template <class Map>
 auto fit_with(const Map& map, int controls_per_side, SM::Joint_solve joint = SM::Joint_solve::AT_END)
 {
-  const std::size_t limit = std::size_t(Map::Atlas::number_of_charts) * controls_per_side * controls_per_side;
+  const std::size_t limit =
+    std::size_t(Map::Atlas::number_of_charts()) * controls_per_side * controls_per_side;
   return SM::fit_surface(
     map,
     SM::parameters::rms_error(0.).max_controls(limit).refinement(SM::Refinement::UNIFORM).joint_solve(joint));

@@ -21,7 +21,7 @@ auto fit_uniform(const Analytic_map<Atlas>& map, int side)
 {
   return SM::fit_surface(map, SM::parameters::rms_error(0.)
                                 .refinement(SM::Refinement::UNIFORM)
-                                .max_controls(std::size_t(Atlas::number_of_charts) * side * side));
+                                .max_controls(std::size_t(Atlas::number_of_charts()) * side * side));
 }
 
 // The root mean square errors of mean and Gaussian curvature against those of the true surface.

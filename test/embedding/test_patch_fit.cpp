@@ -43,7 +43,7 @@ template <class Atlas>
 void check_normaliser()
 {
   const SM::Partition_of_unity<Atlas> partition;
-  for (int c = 0; c < Atlas::number_of_charts; ++c)
+  for (int c = 0; c < Atlas::number_of_charts(); ++c)
     for (const auto& w : partition.weights(Atlas().point(SM::Chart_point{c, {.5, .5}})))
       CHECK(w.weight == Approx(w.point.chart == c ? 1 : 0).margin(1e-12));
 }
@@ -51,7 +51,7 @@ void check_normaliser()
 template <class Surface>
 void check_equal(const Surface& a, const Surface& b)
 {
-  for (int c = 0; c < Surface::Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < Surface::Atlas::number_of_charts(); ++c) {
     const auto &p = a.chart_embedding(c).patches(), &q = b.chart_embedding(c).patches();
     REQUIRE(p.size() == q.size());
     for (std::size_t k = 0; k < p.size(); ++k) {

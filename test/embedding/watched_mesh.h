@@ -83,7 +83,7 @@ bool same(const SM::Manifold_surface<Atlas, Embedding, Bump>& a,
           const SM::Manifold_surface<Atlas, Embedding, Bump>& b)
 {
   bool is_same = true;
-  for (int c = 0; c < Atlas::number_of_charts; ++c)
+  for (int c = 0; c < Atlas::number_of_charts(); ++c)
     for (double x : {0.2, 0.45, 0.8})
       is_same = is_same && a.chart_embedding(c).point({x, 0.6}) == b.chart_embedding(c).point({x, 0.6});
   return is_same;

@@ -211,8 +211,8 @@ inline Triangle_mesh with_handle(Triangle_mesh mesh, std::size_t from, std::size
     mesh.triangles.push_back({v, w, y});
     mesh.triangles.push_back({v, y, x});
   }
-  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(std::max(from, to)));
-  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(std::min(from, to)));
+  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>((std::max)(from, to)));
+  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>((std::min)(from, to)));
   return mesh;
 }
 

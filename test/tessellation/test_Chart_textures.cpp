@@ -57,7 +57,7 @@ void check_continuity_at_chart_borders()
   double variation = 0;
   for (double distance : {1e-5, 1e-9, 1e-13}) {
     double worst = 0;
-    for (int c = 0; c < Atlas::number_of_charts; ++c)
+    for (int c = 0; c < Atlas::number_of_charts(); ++c)
       for (double x = 0.005; x < 1; x += 0.01)
         for (double border : {0., 1.}) {
           const double a = border - distance, b = border + distance;
@@ -77,10 +77,10 @@ double disagreement(int resolution, const Function& f)
   const Atlas atlas;
   const auto textures = SM::bake<Atlas>(resolution, f);
   double worst = 0;
-  for (int tile = 0; tile < Atlas::number_of_charts; ++tile)
+  for (int tile = 0; tile < Atlas::number_of_charts(); ++tile)
     for (double s = 0; s < 1; s += 1. / 128)
       for (const auto& p : {atlas.tile_point(tile, s, 0), atlas.tile_point(tile, 0, s)})
-        for (int c = 0; c < Atlas::number_of_charts; ++c)
+        for (int c = 0; c < Atlas::number_of_charts(); ++c)
           if (atlas.contains(c, p)) {
             const auto own = textures.sample(SM::Chart_point{tile, atlas.coordinates(tile, p)});
             const auto other = textures.sample(SM::Chart_point{c, atlas.coordinates(c, p)});

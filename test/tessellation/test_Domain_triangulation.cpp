@@ -153,13 +153,13 @@ TEMPLATE_TEST_CASE("vertices are in the charts of their tiles, and faces in thei
   double error = 0;
   for (int v = 0; v < t.number_of_vertices(); ++v) {
     auto difference = (atlas.point(t.chart_points()[v]) - t.domain_points()[v]).eval();
-    if (TestType::genus == 1)
+    if (TestType::genus() == 1)
       for (int k = 0; k < difference.size(); ++k) difference[k] -= std::round(difference[k]);
     error = (std::max)(error, difference.norm());
   }
   CHECK(error < 1e-14);
   int outside = 0, later = 0;
-  std::vector<int> first(t.number_of_vertices(), TestType::number_of_charts);
+  std::vector<int> first(t.number_of_vertices(), TestType::number_of_charts());
   for (int f = 0; f < t.number_of_faces(); ++f) {
     outside += atlas.tile(t.point(f, Eigen::Vector3d::Constant(1. / 3))) != t.tile(f);
     for (int v : t.triangles()[f]) first[v] = (std::min)(first[v], t.tile(f));

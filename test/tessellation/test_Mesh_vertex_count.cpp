@@ -60,7 +60,7 @@ TEMPLATE_TEST_CASE("faces are split until each has at most n vertices of the mes
       const auto& [a, b, c] = t.triangles()[f];
       const auto &p = t.domain_points()[a], &q = t.domain_points()[b], &r = t.domain_points()[c];
       for (const auto& x : map.domain_points()) {
-        if constexpr (TestType::genus == 1) // a far point has no copy near the whole face
+        if constexpr (TestType::genus() == 1) // a far point has no copy near the whole face
           if ((TestType::lift(p, x) - p).cwiseAbs().maxCoeff() > 0.3) continue;
         const int least =
           (std::min)({atlas.orientation(p, q, x), atlas.orientation(q, r, x), atlas.orientation(r, p, x)});

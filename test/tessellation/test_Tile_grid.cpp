@@ -31,11 +31,11 @@ TEMPLATE_TEST_CASE("the cells form one closed surface of the right genus", "", S
 {
   for (int n : {1, 2, 3, 7, 16, 49}) {
     const SM::Tile_grid<TestType> grid(n);
-    const int vertices = TestType::genus == 0 ? 6 * n * n + 2 : 9 * n * n;
+    const int vertices = TestType::genus() == 0 ? 6 * n * n + 2 : 9 * n * n;
     CHECK(grid.number_of_vertices() == vertices);
     CHECK(grid.domain_points().size() == std::size_t(vertices));
     CHECK(grid.chart_points().size() == std::size_t(vertices));
-    CHECK(grid.cells().size() == std::size_t(TestType::number_of_charts) * n * n);
+    CHECK(grid.cells().size() == std::size_t(TestType::number_of_charts()) * n * n);
 
     const auto count = sides(grid);
     CHECK(count.size() == 4 * grid.cells().size()); // none twice: consistent orientation
@@ -44,7 +44,7 @@ TEMPLATE_TEST_CASE("the cells form one closed surface of the right genus", "", S
       is_closed = is_closed && count.count({side.first.second, side.first.first}) == 1;
     CHECK(is_closed);
     const int euler = vertices - int(count.size()) / 2 + int(grid.cells().size());
-    CHECK(euler == 2 - 2 * TestType::genus);
+    CHECK(euler == 2 - 2 * TestType::genus());
   }
 }
 
@@ -82,7 +82,7 @@ TEMPLATE_TEST_CASE("cells are positive, in their tile, and chart points are the 
   for (int v = 0; v < grid.number_of_vertices(); ++v) {
     const auto q = atlas.point(grid.chart_points()[v]);
     auto difference = (q - p[v]).eval();
-    if (TestType::genus == 1)
+    if (TestType::genus() == 1)
       for (int k = 0; k < difference.size(); ++k) difference[k] -= std::round(difference[k]);
     error = (std::max)(error, difference.norm());
   }

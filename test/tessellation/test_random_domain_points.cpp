@@ -15,14 +15,14 @@ TEMPLATE_TEST_CASE("random points are even over the tiles, which have equal area
   const std::size_t n = 60000;
   const auto points = SM::random_domain_points<TestType>(n);
   REQUIRE(points.size() == n);
-  std::vector<double> count(TestType::number_of_charts, 0);
+  std::vector<double> count(TestType::number_of_charts(), 0);
   int off = 0;
   for (const auto& p : points) {
     ++count[TestType().tile(p)];
     off += p.size() == 3 ? std::abs(p.norm() - 1) > 1e-15 : !(p.minCoeff() >= 0 && p.maxCoeff() < 1);
   }
   CHECK(off == 0);
-  const double expected = double(n) / TestType::number_of_charts;
+  const double expected = double(n) / TestType::number_of_charts();
   for (double c : count) CHECK(std::abs(c - expected) <= 5 * std::sqrt(expected));
 }
 

@@ -4,7 +4,6 @@
 #define SIMPLE_MANIFOLDS_TEST_TRIANGULATION_CHECKS_H
 
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/domain_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 
@@ -22,7 +21,7 @@ bool is_conforming(const SM::Domain_triangulation<Atlas>& t)
 {
   const auto topology = SM::topology(t.number_of_vertices(), t.triangles());
   if (topology.components != 1 || topology.isolated_vertices != 0 ||
-      topology.euler_characteristic != (Atlas::is_closed ? 2 - 2 * Atlas::genus : 1) ||
+      topology.euler_characteristic != (Atlas::is_closed ? 2 - 2 * Atlas::genus() : 1) ||
       topology.border_loops != !Atlas::is_closed)
     return false;
   std::map<std::pair<int, int>, int> sides;
@@ -50,7 +49,7 @@ double smallest_angle(const SM::Domain_triangulation<Atlas>& t, bool green)
     if (t.is_green(f) == green)
       for (int k = 0; k < 3; ++k) {
         const auto& v = t.triangles()[f];
-        const auto [d, e] = SM::internal::flat_edges(Atlas(), p[v[k]], p[v[(k + 1) % 3]], p[v[(k + 2) % 3]]);
+        const auto [d, e] = Atlas().flat_edges(p[v[k]], p[v[(k + 1) % 3]], p[v[(k + 2) % 3]]);
         smallest =
           (std::min)(smallest, std::acos(d.normalized().dot(e.normalized())) * 180 / 3.14159265358979);
       }

@@ -166,7 +166,8 @@ Coloured_mesh coloured_mesh(const Manifold_surface<Atlas, ChartEmbedding, Bump>&
   surface.points(grid.domain_points(), std::back_inserter(points));
   const std::vector<Triangle> triangles = triangulate(grid, points);
   internal::Coloured_mesh_builder builder(mesh);
-  const std::size_t per_tile = triangles.size() / surface.atlas().number_of_charts; // they come tile by tile
+  const std::size_t per_tile =
+    triangles.size() / surface.atlas().number_of_charts(); // they come tile by tile
   builder.add(
     points.size(), triangles, triangles.size(), [&](std::size_t v) { return points[v]; },
     [&](const Triangle& t) { return int(std::size_t(&t - triangles.data()) / per_tile); });

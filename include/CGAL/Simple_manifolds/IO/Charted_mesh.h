@@ -14,8 +14,8 @@
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
+#include <CGAL/Simple_manifolds/atlas/default_chart.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
@@ -87,9 +87,8 @@ void set_domain_points(Charted_mesh& mesh, const Atlas& atlas,
                        const std::vector<typename Atlas::Domain_point>& domain_points)
 {
   mesh.atlas = Atlas::name;
-  constexpr int dimension = Atlas::Domain_point::RowsAtCompileTime;
-  for (int k = 0; k < dimension; ++k) {
-    mesh.fields.push_back({std::string("domain_") + (dimension == 3 ? "xyz" : "uv")[k], {}});
+  for (std::size_t k = 0; k < Atlas::coordinate_names.size(); ++k) {
+    mesh.fields.push_back({std::string("domain_") + Atlas::coordinate_names[k], {}});
     for (const auto& p : domain_points) mesh.fields.back().values.push_back(p[k]);
   }
   for (const Triangle& t : mesh.triangles) {

@@ -15,17 +15,17 @@
 #include <CGAL/Simple_manifolds/IO/internal/Ply_file.h>
 #include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
 #include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
+#include <CGAL/Simple_manifolds/IO/internal/atlas_numbers.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
-#include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
-#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
-#include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
+#include <CGAL/Simple_manifolds/atlas/canonical_surfaces.h>
+#include <CGAL/Simple_manifolds/correspondence/Any_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 /// \file
@@ -39,8 +39,9 @@ namespace internal {
 template <class Atlas>
 std::vector<std::string> domain_properties()
 {
-  if (Atlas::Domain_point::RowsAtCompileTime == 3) return {"domain_x", "domain_y", "domain_z"};
-  return {"domain_u", "domain_v"};
+  std::vector<std::string> names;
+  for (const char* name : Atlas::coordinate_names) names.push_back(std::string("domain_") + name);
+  return names;
 }
 
 /// The words that follow `key` in a comment `key words`, or nothing.
@@ -103,9 +104,15 @@ Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
       ply.fail("virtual_faces is " + text + ", but there are " + std::to_string(faces.size()) + " faces");
     virtual_faces = std::size_t(n);
   }
+  const Atlas atlas = atlas_of_numbers<Atlas>([&](const char* key) {
+    const std::string text = value_of_comment(ply, key);
+    const long long n = Text_scanner(file, text, false).integer(text, std::string("the number of ") + key);
+    if (n < 0 || n > 1 << 30) ply.fail(std::string(key) + " is " + text);
+    return static_cast<int>(n);
+  });
   try {
     return Manifold_map<Atlas>(std::move(mesh.points), std::move(faces), std::move(domain_points), inputs,
-                               virtual_faces, std::move(input));
+                               virtual_faces, std::move(input), atlas);
   } catch (const Topology_error& e) {
     throw Topology_error(e.code(), file + ": " + e.what(), e.element());
   } catch (const Geometry_error& e) {
@@ -141,6 +148,8 @@ void write_map(const std::string& file, const Manifold_map<Atlas>& map,
   internal::Ply_rows ply(output.stream(), internal::parameter(np, CGAL::internal_np::use_binary_mode, true));
   ply.header("comment simple_manifolds map");
   ply.header(std::string("comment atlas ") + Atlas::name);
+  for (const internal::Atlas_number& n : internal::numbers_of(map.atlas()))
+    ply.header("comment " + n.key + ' ' + std::to_string(n.value));
   ply.header("comment input_vertices " + std::to_string(map.number_of_input_vertices()));
   if (map.number_of_virtual_faces() > 0)
     ply.header("comment virtual_faces " + std::to_string(map.number_of_virtual_faces()));
@@ -188,16 +197,17 @@ Manifold_map<Atlas> read_map(const std::string& file)
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// Reads a map to whichever canonical surface the file names; else as `read_map<Atlas>()`.
-inline std::variant<Manifold_map<Plane_atlas>, Manifold_map<Sphere_atlas>, Manifold_map<Torus_atlas>>
-read_map(const std::string& file)
+inline Any_map read_map(const std::string& file)
 {
   const std::string bytes = internal::file_contents(file);
   internal::Ply_file ply(file, bytes);
-  const std::string atlas = internal::value_of_comment(ply, "atlas");
-  if (atlas == Plane_atlas::name) return internal::map_of_ply<Plane_atlas>(ply, file);
-  if (atlas == Sphere_atlas::name) return internal::map_of_ply<Sphere_atlas>(ply, file);
-  if (atlas == Torus_atlas::name) return internal::map_of_ply<Torus_atlas>(ply, file);
-  ply.fail("no map: no comment \"atlas sphere\", \"atlas torus\" or \"atlas plane\"");
+  std::optional<Any_map> map;
+  Canonical_surfaces::visit_name(internal::value_of_comment(ply, "atlas"), [&](auto type) {
+    map.emplace(internal::map_of_ply<typename decltype(type)::Atlas>(ply, file));
+  });
+  if (!map)
+    ply.fail("no map: no comment \"atlas NAME\" with one of the names " + Canonical_surfaces::names());
+  return std::move(*map);
 }
 
 } // namespace Simple_manifolds

@@ -62,7 +62,7 @@ std::vector<std::string> png_images(const Chart_textures<Atlas, Channels, Bump>&
   const int n = textures.resolution();
   std::vector<std::string> images;
   std::vector<unsigned char> pixels;
-  for (int c = 0; c < Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < textures.atlas().number_of_charts(); ++c) {
     pixels.clear();
     for (int j = n - 1; j >= 0; --j)
       for (int i = 0; i < n; ++i) {

@@ -14,20 +14,21 @@
 #include <CGAL/Simple_manifolds/IO/internal/Embedding_io.h>
 #include <CGAL/Simple_manifolds/IO/internal/Json_field.h>
 #include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
+#include <CGAL/Simple_manifolds/IO/internal/atlas_numbers.h>
 #include <CGAL/Simple_manifolds/IO/internal/parse_document.h>
 #include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
-#include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
-#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
-#include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
+#include <CGAL/Simple_manifolds/atlas/canonical_surfaces.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
+#include <CGAL/Simple_manifolds/embedding/fit_mesh_surface.h>
 
 #include <CGAL/assertions.h>
 
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -42,7 +43,7 @@ namespace Simple_manifolds {
 ///
 /// What a surface file says before its charts: which type of surface it holds.
 struct Surface_header {
-  std::string atlas;  ///< `sphere`, `torus` or `plane`
+  std::string atlas;  ///< the name of a canonical surface
   std::string bump;   ///< `smoothstep`, `bspline` or `polynomial`
   int smoothness = 0; ///< of the bump
   int degree = 0;     ///< of the splines
@@ -63,6 +64,12 @@ inline Surface_header header_of_json(const Json_field& j)
           j["degree"].integer(1, maximum_spline_degree)};
 }
 
+template <class Atlas>
+Atlas atlas_of_json(const Json_field& j)
+{
+  return atlas_of_numbers<Atlas>([&j](const char* key) { return j[key].integer(0, 1 << 30); });
+}
+
 template <class Surface>
 Surface surface_of_json(const Json_field& j)
 {
@@ -75,15 +82,16 @@ Surface surface_of_json(const Json_field& j)
     j["bump"].fail(header.bump + " of smoothness " + std::to_string(header.smoothness) + " where " +
                    Bump::type + " of smoothness " + std::to_string(Bump::smoothness) + " is expected");
   const Json_field charts = j["charts"];
-  charts.require_size(Atlas::number_of_charts);
+  const Atlas atlas = atlas_of_json<Atlas>(j);
+  charts.require_size(atlas.number_of_charts());
   using Chart_embedding = typename Surface::Chart_embedding;
   std::vector<Chart_embedding> embeddings;
   for (std::size_t c = 0; c < charts.size(); ++c) {
     const Json_field list = charts[c]["patches"];
     if (list.size() == 0) list.fail("at least one patch is expected");
-    embeddings.push_back(Embedding_io<Chart_embedding>::read(list, header.degree, Atlas::number_of_charts));
+    embeddings.push_back(Embedding_io<Chart_embedding>::read(list, header.degree, atlas.number_of_charts()));
   }
-  return Surface(std::move(embeddings));
+  return Surface(std::move(embeddings), Bump(), atlas);
 }
 
 } // namespace internal
@@ -106,18 +114,20 @@ void write_surface(const std::string& file, const Manifold_surface<Atlas, ChartE
   const bool is_cbor = std::filesystem::path(file).extension() == ".cbor";
   Atomic_file output(file);
   internal::Document_writer out(output.stream(), is_cbor);
-  out.object(6);
+  const std::vector<internal::Atlas_number> numbers = internal::numbers_of(surface.atlas());
+  out.object(6 + numbers.size());
   out.entry("format", internal::surface_format);
   out.entry("version", internal::surface_version);
   out.entry("atlas", Atlas::name);
+  for (const internal::Atlas_number& n : numbers) out.entry(n.key.c_str(), n.value);
   out.value("bump");
   out.object(2);
   out.entry("type", Bump::type);
   out.entry("smoothness", int(Bump::smoothness));
   out.entry("degree", degree);
   out.value("charts");
-  out.array(Atlas::number_of_charts);
-  for (int c = 0; c < Atlas::number_of_charts; ++c) {
+  out.array(surface.atlas().number_of_charts());
+  for (int c = 0; c < surface.atlas().number_of_charts(); ++c) {
     const ChartEmbedding& embedding = surface.chart_embedding(c);
     CGAL_precondition(Io::degree(embedding) == degree);
     const std::vector<internal::Patch_record> patches = Io::patches(embedding);
@@ -162,22 +172,22 @@ Surface read_surface(const std::string& file)
 /// Reads a surface over whichever canonical surface the file names, with the limits of `read_surface()`.
 /// \tparam Bump            the bump of the file
 /// \tparam ChartEmbedding  as for `read_surface()`
-/// \return a `std::variant` of the three types `Manifold_surface<Atlas, ChartEmbedding, Bump>`
+/// \return an `Any_surface<Bump, ChartEmbedding>`
 /// \throw IO_error as `read_surface()`
 template <class Bump = Smoothstep_bump<2>, class ChartEmbedding = Hierarchical_embedding>
 auto read_any_surface(const std::string& file)
 {
-  using Plane = Manifold_surface<Plane_atlas, ChartEmbedding, Bump>;
-  using Sphere = Manifold_surface<Sphere_atlas, ChartEmbedding, Bump>;
-  using Torus = Manifold_surface<Torus_atlas, ChartEmbedding, Bump>;
-  using Any = std::variant<Plane, Sphere, Torus>;
+  using Any = Any_surface<Bump, ChartEmbedding>;
   const internal::Document document{internal::parse_document(file, internal::file_contents(file))};
   const internal::Json_field root(file, document.root);
   const std::string atlas = internal::header_of_json(root).atlas;
-  if (atlas == Plane_atlas::name) return Any(internal::surface_of_json<Plane>(root));
-  if (atlas == Sphere_atlas::name) return Any(internal::surface_of_json<Sphere>(root));
-  if (atlas == Torus_atlas::name) return Any(internal::surface_of_json<Torus>(root));
-  root["atlas"].fail("\"" + atlas + "\" is none of sphere, torus, plane");
+  std::optional<Any> surface;
+  Canonical_surfaces::visit_name(atlas, [&](auto type) {
+    using Surface = Manifold_surface<typename decltype(type)::Atlas, ChartEmbedding, Bump>;
+    surface.emplace(internal::surface_of_json<Surface>(root));
+  });
+  if (!surface) root["atlas"].fail("\"" + atlas + "\" is none of " + Canonical_surfaces::names());
+  return std::move(*surface);
 }
 
 } // namespace Simple_manifolds

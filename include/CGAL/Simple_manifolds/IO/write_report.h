@@ -61,7 +61,7 @@ public:
   void add_surface(const Surface& surface, const Fit_report& report)
   {
     const int subdivisions = Tile_grid<typename Map::Atlas>::subdivisions_for(
-      std::clamp(double(map_.number_of_vertices()), 10000., 40000.));
+      std::clamp(double(map_.number_of_vertices()), 10000., 40000.), map_.atlas());
     auto tessellation = report_tessellation(map_, surface, subdivisions, distortions_);
     tessellation.evaluate(map_, surface);
     tessellation.add_to(arrays_, "surface", map_.atlas(), centre_, unit());
@@ -107,8 +107,8 @@ private:
   static nlohmann::ordered_json facts_of_atlas(const Atlas& atlas)
   {
     nlohmann::ordered_json facts = {
-      {"name", atlas.name}, {"genus", atlas.genus}, {"is_closed", atlas.is_closed}};
-    for (int c = 0; c < atlas.number_of_charts; ++c) {
+      {"name", atlas.name}, {"genus", atlas.genus()}, {"is_closed", atlas.is_closed}};
+    for (int c = 0; c < atlas.number_of_charts(); ++c) {
       const Eigen::Vector3d colour = 255 * chart_colour(c);
       char text[8];
       std::snprintf(text, sizeof text, "#%02x%02x%02x", unsigned(std::lround(colour[0])) & 255,

@@ -49,7 +49,7 @@ template <class Atlas>
 Eigen::Vector3d place_in_row_of_charts(const Atlas& atlas, const Chart_point& q)
 {
   int columns = 1;
-  while (columns * columns < atlas.number_of_charts) ++columns;
+  while (columns * columns < atlas.number_of_charts()) ++columns;
   return {1.1 * (q.chart % columns) + q.uv.x(), q.uv.y() - 1.1 * (q.chart / columns), 0};
 }
 

@@ -13,7 +13,7 @@
 #include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
-#include <CGAL/Simple_manifolds/atlas/internal/Short_list.h>
+#include <CGAL/Simple_manifolds/internal/Short_list.h>
 
 #include <CGAL/assertions.h>
 
@@ -131,16 +131,13 @@ public:
   }
 
 private:
-  static constexpr bool has_single_chart = Atlas::number_of_charts == 1;
+  static constexpr bool has_single_chart = Atlas::has_single_chart;
 
   Weight_jet_list weight_jets(const Chart_point& a, const Basic_jet<Domain_point>& p) const
   {
     Weight_jet_list list;
     Scalar_jet sum = Scalar_jet::zero();
-    for (int c = 0; c < Atlas::number_of_charts; ++c) {
-      if (!atlas_.contains(c, p.value)) {
-        continue;
-      } // before any trigonometry
+    for (const int c : atlas_.chart_numbers_at(p.value)) {
       if (c == a.chart) {
         list.push_back({a, identity_jet(a.uv), proto_jet(a.uv)});
       } else {

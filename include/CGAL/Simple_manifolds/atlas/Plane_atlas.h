@@ -8,23 +8,35 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_ATLAS_PLANE_ATLAS_H
 #define CGAL_SIMPLE_MANIFOLDS_ATLAS_PLANE_ATLAS_H
 
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
-#include <CGAL/Simple_manifolds/atlas/internal/Short_list.h>
+#include <CGAL/Simple_manifolds/atlas/Trivial_deck.h>
 #include <CGAL/Simple_manifolds/atlas/internal/barycentric.h>
 #include <CGAL/Simple_manifolds/atlas/internal/exact_sign.h>
+#include <CGAL/Simple_manifolds/atlas/internal/flat_geometry.h>
+#include <CGAL/Simple_manifolds/internal/Short_list.h>
 
 #include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 /// \file
 
 namespace CGAL {
 namespace Simple_manifolds {
+
+namespace internal {
+template <int Order>
+class Plane_batch_weights;
+} // namespace internal
 
 /// \ingroup PkgSimpleManifoldsAtlas
 ///
@@ -43,11 +55,28 @@ public:
   /// A range of chart points, without allocation.
   using Chart_list = internal::Short_list<Chart_point, max_charts_per_point>;
 
-  static constexpr int genus = 0;              ///< of the canonical surface
-  static constexpr bool is_closed = false;     ///< whether it has no border
-  static constexpr int number_of_charts = 1;   ///< and of tiles
-  static constexpr const char* name = "plane"; ///< the spelling in files
-  static constexpr double area = 1;            ///< of the canonical surface
+  using Chart_numbers = internal::Short_list<int, max_charts_per_point>; ///< a range of numbers of charts
+  using Deck = Trivial_deck;                                             ///< there is one copy of each point
+  /// Weights of many points at once. \sa `ManifoldAtlas`
+  template <class Bump, int Order>
+  using Batch_weights = internal::Plane_batch_weights<Order>;
+
+  static constexpr bool is_closed = false;           ///< whether it has no border
+  static constexpr bool has_single_chart = true;     ///< whether one chart covers it
+  static constexpr bool has_flat_transitions = true; ///< the only transition is the identity
+  static constexpr bool has_free_metric = false;     ///< the square is one
+  static constexpr const char* name = "plane";       ///< the spelling in files
+  /// The spelling of the coordinates of a domain point in files.
+  static constexpr std::array<const char*, 2> coordinate_names = {{"u", "v"}};
+
+  /// The genus of the canonical surface.
+  static constexpr int genus() { return 0; }
+  /// Whether it is the canonical surface of connected meshes of a topological type.
+  static constexpr bool suits(bool closed, long mesh_genus) { return !closed && mesh_genus == genus(); }
+  /// The number of charts, and of tiles.
+  static constexpr int number_of_charts() { return 1; }
+  /// The area of the canonical surface.
+  static constexpr double area() { return 1; }
 
   /// The one chart, the identity of the closed square.
   /// \cgalModels{ManifoldChart}
@@ -104,6 +133,14 @@ public:
     return list;
   }
 
+  /// Chart 0, if it contains p.
+  Chart_numbers chart_numbers_at(const Domain_point& p) const
+  {
+    Chart_numbers list;
+    if (contains(0, p)) list.push_back(0);
+    return list;
+  }
+
   /// The chart whose tile contains the point.
   int best_chart(const Domain_point&) const { return 0; }
 
@@ -115,6 +152,9 @@ public:
 
   /// The transition with its derivatives.
   Transition_jet transition_jet(int, int, const Eigen::Vector2d& uv) const { return identity_jet(uv); }
+
+  /// The area of the canonical surface per area of (u,v), where a domain point has the jet `p` by (u,v).
+  double area_element(const Domain_jet& p) const { return p.u.x() * p.v.y() - p.u.y() * p.v.x(); }
 
   /// @}
   /// \name Tiles
@@ -134,9 +174,51 @@ public:
              }}};
   }
 
+  /// The area of the square per area of the parameters (s,t).
+  double tile_area_element(int, double, double) const { return 1; }
+
+  /// @}
+  /// \name Points
+  /// @{
+
+  /// The point of the closed unit square nearest to `p`: removes the rounding errors of computed points.
+  Domain_point canonical(const Domain_point& p) const { return p.cwiseMax(0.).cwiseMin(1.); }
+
+  /// What is located for `p`, any point of the plane: the nearest one of the square.
+  Domain_point query(const Domain_point& p) const { return canonical(p); }
+
+  /// Whether `p` is a domain point.
+  bool is_valid(const Domain_point& p) const { return p.minCoeff() >= 0 && p.maxCoeff() <= 1; }
+
+  /// Whether `p` is on a side of the square.
+  bool is_on_border(const Domain_point& p) const { return p.minCoeff() <= 0 || p.maxCoeff() >= 1; }
+
+  /// The middle of the edge.
+  Domain_point midpoint(const Domain_point& p, const Domain_point& q) const { return (p + q) / 2; }
+
+  /// The square of the distance.
+  double squared_distance(const Domain_point& p, const Domain_point& q) const
+  {
+    return (p - q).squaredNorm();
+  }
+
+  /// The larger one of the coordinate differences.
+  double edge_size(const Domain_point& p, const Domain_point& q) const
+  {
+    return (q - p).cwiseAbs().maxCoeff();
+  }
+
+  /// Takes the unit square onto itself.
+  Domain_point equal_area_point(double a, double b) const { return {a, b}; }
   /// @}
   /// \name Triangles
   /// @{
+
+  /// The only copy of `q`.
+  Deck deck(const Domain_point&, const Domain_point&) const { return {}; }
+
+  /// Always true: three points have one triangle.
+  bool is_triangle(const Domain_point&, const Domain_point&, const Domain_point&) const { return true; }
 
   /// The exact sign of the area of the triangle.
   /// \pre all coordinates are finite
@@ -145,6 +227,18 @@ public:
     CGAL_precondition(p.allFinite() && q.allFinite() && r.allFinite());
     const Eigen::Vector2i zero(0, 0);
     return internal::sign_of_area(p, q, zero, r, zero);
+  }
+  /// The same.
+  int orientation(const Domain_point& p, const Domain_point& q, Deck, const Domain_point& r, Deck) const
+  {
+    return orientation(p, q, r);
+  }
+
+  /// The side of the edge from p to q to which an infinitesimal step leads from a point `x` of it: by e along u and
+  /// e^2 along v, back from the far sides. Exact.
+  int side_of_step(const Domain_point& p, const Domain_point& q, const Domain_point& x) const
+  {
+    return internal::side_of_flat_step(q - p, x);
   }
 
   /// The point with the given barycentric coordinates, which sum to 1.
@@ -163,13 +257,115 @@ public:
     return internal::planar_barycentric(p, q, zero, r, zero, x, zero);
   }
 
-  /// @}
+  /// The edges q - p and r - p of the triangle.
+  std::pair<Eigen::Vector2d, Eigen::Vector2d> flat_edges(const Domain_point& p, const Domain_point& q,
+                                                         const Domain_point& r) const
+  {
+    return {q - p, r - p};
+  }
 
-  /// The point of the closed unit square nearest to `p`: removes the rounding errors of computed points.
-  Domain_point canonical(const Domain_point& p) const { return p.cwiseMax(0.).cwiseMin(1.); }
+  /// The signed area of the triangle.
+  double signed_area(const Domain_point& p, const Domain_point& q, const Domain_point& r) const
+  {
+    return internal::signed_area(flat_edges(p, q, r));
+  }
+
+  /// Whether the areas of the faces sum to 1 exactly; nothing if a coordinate is not a multiple of 2^-52.
+  std::optional<bool> covers_once(const std::vector<Domain_point>& points,
+                                  const std::vector<Triangle>& faces) const
+  {
+    return internal::total_area_is_one(
+      points, faces, [](const Domain_point&, const Domain_point&) { return Eigen::Vector2i(0, 0); });
+  }
+  /// How far the sum of the areas may be from an integer by rounding.
+  static constexpr double degree_tolerance = 1e-9;
+
+  /// What is wrong with a border loop (vertices counterclockwise): it has to run once round the square, with a vertex
+  /// at each corner. Empty when it is right.
+  std::string border_fault(const std::vector<Domain_point>& points, const std::vector<int>& loop) const
+  {
+    return internal::border_fault(points, loop);
+  }
+
+  /// @}
+  /// \name Stars
+  /// All of them lie in chart 0.
+  /// @{
+
+  /// Chart 0.
+  template <class Ring>
+  Chart_numbers charts_of_star(const Domain_point&, const Ring&) const
+  {
+    Chart_numbers list;
+    list.push_back(0);
+    return list;
+  }
+
+  /// Chart 0.
+  int chart_of_star(const Domain_point&, const std::vector<Domain_point>&) const { return 0; }
+
+  /// The vectors from `p` to the points of `ring`.
+  std::vector<Eigen::Vector2d> star_in_chart(int, const Domain_point& p,
+                                             const std::vector<Domain_point>& ring) const
+  {
+    std::vector<Eigen::Vector2d> star;
+    for (const Domain_point& r : ring) star.push_back(r - p);
+    return star;
+  }
+
+  /// Always true.
+  bool is_triangle_in_chart(int, const Domain_point&, const Domain_point&, const Domain_point&) const
+  {
+    return true;
+  }
+
+  /// Nothing: all stars have a chart, and no vertex need be moved.
+  std::optional<Domain_point> kernel_point(const Domain_point&, const std::vector<Domain_point>&) const
+  {
+    return std::nullopt;
+  }
+  /// None, for the same reason.
+  std::vector<Domain_point> better_places(const Domain_point&, const std::vector<Domain_point>&) const
+  {
+    return {};
+  }
+
+  /// @}
+  /// \name Pictures
+  /// The picture is the square itself, in the plane with third coordinate 1.
+  /// @{
+
+  using Picture_copy = Trivial_deck;                   ///< each triangle is there once
+  static constexpr bool has_flat_pictures = true;      ///< the third homogeneous coordinate is 1
+  int number_of_pictures() const { return 1; }         ///< one shows all
+  int picture(const Domain_point&) const { return 0; } ///< that one
+
+  /// The point (u,v,1).
+  Eigen::Vector3d homogeneous(const Domain_point& p) const { return {p[0], p[1], 1}; }
+  /// The same of the only copy of `q`.
+  Eigen::Vector3d homogeneous(const Domain_point&, const Domain_point& q) const { return homogeneous(q); }
+  /// The jet of (u,v,1).
+  Jet homogeneous_jet(const Domain_jet& p) const { return internal::homogeneous_flat_jet(p); }
+
+  /// Calls `f(0, copy)` once.
+  template <class Function>
+  void for_each_copy(const Domain_point&, const Domain_point&, const Domain_point&, const Function& f) const
+  {
+    f(0, Picture_copy());
+  }
+  /// The corners.
+  std::array<Eigen::Vector3d, 3> homogeneous(const Domain_point& p, const Domain_point& q,
+                                             const Domain_point& r, Picture_copy) const
+  {
+    return {{homogeneous(p), homogeneous(q), homogeneous(r)}};
+  }
+
+  /// @}
 };
 
 } // namespace Simple_manifolds
 } // namespace CGAL
+
+#include <CGAL/Simple_manifolds/atlas/internal/Plane_batch_weights.h>
 
 #endif // CGAL_SIMPLE_MANIFOLDS_ATLAS_PLANE_ATLAS_H

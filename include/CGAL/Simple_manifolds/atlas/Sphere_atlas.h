@@ -8,24 +8,39 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_ATLAS_SPHERE_ATLAS_H
 #define CGAL_SIMPLE_MANIFOLDS_ATLAS_SPHERE_ATLAS_H
 
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
+#include <CGAL/Simple_manifolds/atlas/Gnomonic_chart.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
-#include <CGAL/Simple_manifolds/atlas/internal/Short_list.h>
+#include <CGAL/Simple_manifolds/atlas/Sphere_chart.h>
+#include <CGAL/Simple_manifolds/atlas/Trivial_deck.h>
 #include <CGAL/Simple_manifolds/atlas/internal/barycentric.h>
 #include <CGAL/Simple_manifolds/atlas/internal/exact_sign.h>
+#include <CGAL/Simple_manifolds/internal/Short_list.h>
 
 #include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 /// \file
 
 namespace CGAL {
 namespace Simple_manifolds {
+
+namespace internal {
+class Sphere_balance;
+template <class Bump, int Order>
+class Sphere_batch_weights;
+} // namespace internal
 
 /// \ingroup PkgSimpleManifoldsAtlas
 ///
@@ -47,8 +62,6 @@ namespace Simple_manifolds {
 /// \cgalModels{ManifoldAtlas}
 class Sphere_atlas {
   static constexpr double pi = 3.14159265358979324;
-  static constexpr double latitude_range = 0.75 * pi;
-  static constexpr double largest_z = 0.92387953251128676; // sin(3 pi/8)
 
 public:
   using Domain_point = Eigen::Vector3d;          ///< a unit vector
@@ -57,109 +70,32 @@ public:
   /// A range of chart points, without allocation.
   using Chart_list = internal::Short_list<Chart_point, max_charts_per_point>;
 
-  static constexpr int genus = 0;               ///< of the canonical surface
-  static constexpr bool is_closed = true;       ///< whether it has no border
-  static constexpr int number_of_charts = 6;    ///< and of tiles
-  static constexpr const char* name = "sphere"; ///< the spelling in files
-  static constexpr double area = 4 * pi;        ///< of the canonical surface
+  using Chart_numbers = internal::Short_list<int, max_charts_per_point>; ///< a range of numbers of charts
+  using Deck = Trivial_deck;                                             ///< there is one copy of each point
+  /// Weights of many points at once. \sa `ManifoldAtlas`
+  template <class Bump, int Order>
+  using Batch_weights = internal::Sphere_batch_weights<Bump, Order>;
 
-  /// One chart. All of its members work in the frame in which it is chart 0.
-  /// \cgalModels{ManifoldChart}
-  class Chart {
-  public:
-    using Domain_point = Sphere_atlas::Domain_point; ///< a unit vector
+  static constexpr bool is_closed = true;             ///< whether it has no border
+  static constexpr bool has_single_chart = false;     ///< whether one chart covers it
+  static constexpr bool has_flat_transitions = false; ///< the charts are no translates of each other
+  static constexpr bool has_free_metric = false;      ///< its metric is that of space
+  static constexpr const char* name = "sphere";       ///< the spelling in files
+  /// The spelling of the coordinates of a domain point in files.
+  static constexpr std::array<const char*, 3> coordinate_names = {{"x", "y", "z"}};
 
-    /// \pre `0 <= c < number_of_charts`
-    explicit Chart(int c)
-      : sign_(c % 2 == 0 ? 1 : -1), x_((3 - c / 2) % 3), y_((4 - c / 2) % 3), z_((5 - c / 2) % 3)
-    {
-      CGAL_precondition(0 <= c && c < number_of_charts);
-    }
+  /// The genus of the canonical surface.
+  static constexpr int genus() { return 0; }
+  /// Whether it is the canonical surface of connected meshes of a topological type.
+  static constexpr bool suits(bool closed, long mesh_genus) { return closed && mesh_genus == genus(); }
+  /// The number of charts, and of tiles.
+  static constexpr int number_of_charts() { return 6; }
+  /// The area of the canonical surface.
+  static constexpr double area() { return 4 * pi; }
 
-    /// Whether the open chart contains `p`; no trigonometry.
-    bool contains(const Domain_point& p) const { return sign_ * p[y_] > 0 && std::abs(p[z_]) < largest_z; }
+  using Chart = Sphere_chart; ///< one of the six
 
-    /// The coordinates of `p` in the open unit square.
-    /// \pre `contains(p)`
-    Eigen::Vector2d coordinates(const Domain_point& p) const
-    {
-      CGAL_precondition(contains(p));
-      return {internal::into_open_unit_interval(std::atan2(sign_ * p[y_], sign_ * p[x_]) / pi),
-              internal::into_open_unit_interval(0.5 + std::asin(p[z_]) / latitude_range)};
-    }
-
-    /// The domain point with the coordinates `uv`; defined for all `uv`.
-    Domain_point point(const Eigen::Vector2d& uv) const
-    {
-      const double longitude = pi * uv[0], latitude = latitude_range * (uv[1] - 0.5);
-      const double r = std::cos(latitude);
-      return to_domain(r * std::cos(longitude), r * std::sin(longitude), std::sin(latitude));
-    }
-
-    /// The domain point with the coordinates `uv`, and its derivatives by them.
-    Domain_jet point_jet(const Eigen::Vector2d& uv) const { return jet_at(point(uv)); }
-
-    /// The same at the coordinates of the domain point `p`: they are not needed, nor is trigonometry.
-    /// \pre `p` is not on the axis of the chart
-    Domain_jet jet_at(const Domain_point& p) const
-    {
-      constexpr double a = pi, b = latitude_range;
-      const Domain_point q = to_chart(p);
-      const double x = q[0], y = q[1], z = q[2], r2 = x * x + y * y, r = std::sqrt(r2);
-      CGAL_precondition(r2 > 0);
-      return {p,
-              to_domain(-a * y, a * x, 0),
-              to_domain(-b * z * x / r, -b * z * y / r, b * r),
-              to_domain(-a * a * x, -a * a * y, 0),
-              to_domain(a * b * z * y / r, -a * b * z * x / r, 0),
-              -b * b * p};
-    }
-
-    /// The coordinates of the point of a jet, with the derivatives that follow by the chain rule from
-    /// those of the jet. In particular the transition from chart i to chart j has the jet
-    /// `chart(j).coordinates_jet(chart(i).point_jet(uv))`.
-    /// \pre `contains(p.value)`
-    Transition_jet coordinates_jet(const Domain_jet& p) const
-    {
-      const Domain_point q = to_chart(p.value);
-      const double x = q[0], y = q[1], z = q[2], r2 = x * x + y * y, r = std::sqrt(r2);
-      const double cu = 1 / (pi * r2), cv = 1 / (latitude_range * r);
-      // gradient and Hessian of u = atan2(y,x)/pi and of v = 1/2 + asin(z)/latitude_range, r2 = 1 - z^2
-      const auto first = [&](const Domain_point& d) {
-        return Eigen::Vector2d(cu * (x * d[1] - y * d[0]), cv * d[2]);
-      };
-      const double hxx = 2 * x * y * cu / r2, hxy = (y * y - x * x) * cu / r2, hzz = z * cv / r2;
-      const auto second = [&](const Domain_point& d, const Domain_point& e, const Domain_point& de) {
-        const Eigen::Vector2d bend(hxx * (d[0] * e[0] - d[1] * e[1]) + hxy * (d[0] * e[1] + d[1] * e[0]),
-                                   hzz * d[2] * e[2]);
-        return Eigen::Vector2d(bend + first(de));
-      };
-      const Domain_point u = to_chart(p.u), v = to_chart(p.v);
-      return {coordinates(p.value),
-              first(u),
-              first(v),
-              second(u, u, to_chart(p.uu)),
-              second(u, v, to_chart(p.uv)),
-              second(v, v, to_chart(p.vv))};
-    }
-
-  private:
-    Domain_point to_chart(const Domain_point& p) const { return {sign_ * p[x_], sign_ * p[y_], p[z_]}; }
-
-    Domain_point to_domain(double x, double y, double z) const
-    {
-      Domain_point p;
-      p[x_] = sign_ * x;
-      p[y_] = sign_ * y;
-      p[z_] = z;
-      return p;
-    }
-
-    double sign_;   // -1: turned by pi about the chart's z axis
-    int x_, y_, z_; // the axes of the domain that are the axes of the chart
-  };
-
-  /// Chart c. \pre `0 <= c < number_of_charts`
+  /// Chart c. \pre `0 <= c < 6`
   Chart chart(int c) const { return Chart(c); }
 
   /// \name Charts
@@ -187,6 +123,17 @@ public:
     return list;
   }
 
+  /// The numbers of all the charts that contain `p`, in increasing order.
+  Chart_numbers chart_numbers_at(const Domain_point& p) const
+  {
+    Chart_numbers list;
+    for (int pair = 0; pair < 3; ++pair) {
+      const int c = 2 * pair + (p[(4 - pair) % 3] < 0);
+      if (contains(c, p)) list.push_back(c);
+    }
+    return list;
+  }
+
   /// The chart with the centre nearest to `p`: its tile.
   int best_chart(const Domain_point& p) const { return tile(p); }
 
@@ -206,6 +153,9 @@ public:
     return i == j ? identity_jet(uv) : chart(j).coordinates_jet(chart(i).point_jet(uv));
   }
 
+  /// The area of the canonical surface per area of (u,v), where a domain point has the jet `p` by (u,v).
+  double area_element(const Domain_jet& p) const { return p.u.cross(p.v).norm(); }
+
   /// @}
   /// \name Tiles
   /// @{
@@ -224,7 +174,7 @@ public:
   /// share the points of their common edge bit for bit, for each value of the parameter.
   Domain_point tile_point(int tile, double s, double t) const
   {
-    CGAL_precondition(0 <= tile && tile < number_of_charts);
+    CGAL_precondition(0 <= tile && tile < number_of_charts());
     // the axes in cyclic order; on the negative faces s and t change places to keep the orientation
     const int axis = (4 - tile / 2) % 3, next = (axis + 1) % 3, last = (axis + 2) % 3;
     const bool is_positive = tile % 2 == 0;
@@ -243,9 +193,73 @@ public:
              }}};
   }
 
+  /// The area of the sphere per area of the parameters (s,t) of a tile.
+  double tile_area_element(int, double s, double t) const
+  {
+    const double x = std::tan(pi / 4 * (2 * s - 1)), y = std::tan(pi / 4 * (2 * t - 1));
+    const double r2 = 1 + x * x + y * y;
+    return pi * pi / 4 * (1 + x * x) * (1 + y * y) / (r2 * std::sqrt(r2));
+  }
+
+  /// A grid of n x n cells on the tile with the borders of the paper, see `Tile_borders::AVERAGED`: the points
+  /// (i,j) in the order i (n+1) + j.
+  std::vector<Domain_point> averaged_tile(int tile, int n) const;
+
+  /// @}
+  /// \name Points
+  /// @{
+
+  /// The unit vector with the direction of `p`; unit vectors (up to rounding) are left as they are.
+  /// \pre `p` is not zero
+  Domain_point canonical(const Domain_point& p) const
+  {
+    if (std::abs(p.squaredNorm() - 1) <= 8 * internal::half_ulp) return p;
+    CGAL_precondition(p != Domain_point::Zero());
+    return p.stableNormalized();
+  }
+
+  /// What is located for `p`, any vector but zero: the vector itself, since no sign depends on its length.
+  /// \pre `p` is not zero
+  Domain_point query(const Domain_point& p) const
+  {
+    CGAL_precondition(!p.isZero(0));
+    return p;
+  }
+
+  /// Whether `p` is a domain point: of length 1 up to 1e-9.
+  bool is_valid(const Domain_point& p) const { return std::abs(p.norm() - 1) <= 1e-9; }
+
+  /// There is no border.
+  bool is_on_border(const Domain_point&) const { return false; }
+
+  /// The middle of the shorter arc.
+  Domain_point midpoint(const Domain_point& p, const Domain_point& q) const { return (p + q).normalized(); }
+
+  /// That of the chord.
+  double squared_distance(const Domain_point& p, const Domain_point& q) const
+  {
+    return (p - q).squaredNorm();
+  }
+
+  /// The length of the chord.
+  double edge_size(const Domain_point& p, const Domain_point& q) const { return (p - q).norm(); }
+
+  /// Takes the unit square onto the sphere, equal areas to equal areas (Archimedes).
+  Domain_point equal_area_point(double a, double b) const
+  {
+    const double z = 2 * a - 1, r = std::sqrt(1 - z * z), phi = 2 * pi * b;
+    return Domain_point(r * std::cos(phi), r * std::sin(phi), z).normalized();
+  }
   /// @}
   /// \name Triangles
+  /// Their edges are the shorter arcs of great circles.
   /// @{
+
+  /// The only copy of `q`.
+  Deck deck(const Domain_point&, const Domain_point&) const { return {}; }
+
+  /// Always true: three points have one triangle.
+  bool is_triangle(const Domain_point&, const Domain_point&, const Domain_point&) const { return true; }
 
   /// The exact sign of det[p,q,r].
   /// \pre all coordinates are finite
@@ -253,6 +267,20 @@ public:
   {
     CGAL_precondition(p.allFinite() && q.allFinite() && r.allFinite());
     return internal::sign_of_determinant(p, q, r);
+  }
+  /// The same.
+  int orientation(const Domain_point& p, const Domain_point& q, Deck, const Domain_point& r, Deck) const
+  {
+    return orientation(p, q, r);
+  }
+
+  /// The side of the arc from p to q to which an infinitesimal step leads from a point of it: by e along the x axis,
+  /// e^2 along y and e^3 along z. Exact.
+  int side_of_step(const Domain_point& p, const Domain_point& q, const Domain_point&) const
+  {
+    int side = 0;
+    for (int k = 0; k < 3 && side == 0; ++k) side = orientation(p, q, Eigen::Vector3d::Unit(k));
+    return side;
   }
 
   /// The barycentric combination, projected to the sphere.
@@ -270,18 +298,160 @@ public:
     return internal::central_barycentric(p, q, r, x);
   }
 
-  /// @}
-
-  /// The unit vector with the direction of `p`; unit vectors (up to rounding) are left as they are.
-  /// \pre `p` is not zero
-  Domain_point canonical(const Domain_point& p) const
+  /// The edges q - p and r - p of the chordal triangle.
+  std::pair<Eigen::Vector3d, Eigen::Vector3d> flat_edges(const Domain_point& p, const Domain_point& q,
+                                                         const Domain_point& r) const
   {
-    if (std::abs(p.squaredNorm() - 1) <= 8 * internal::half_ulp) {
-      return p;
-    }
-    CGAL_precondition(p != Domain_point::Zero());
-    return p.stableNormalized();
+    return {q - p, r - p};
   }
+
+  /// The signed area of the spherical triangle (van Oosterom and Strackee 1983). The determinant is that of edge
+  /// vectors, which does not cancel on tiny triangles.
+  double signed_area(const Domain_point& p, const Domain_point& q, const Domain_point& r) const
+  {
+    const double lp = p.norm(), lq = q.norm(), lr = r.norm();
+    const double cosines = lp * lq * lr + p.dot(q) * lr + q.dot(r) * lp + r.dot(p) * lq;
+    return 2 * std::atan2(p.dot((q - p).cross(r - p)), cosines);
+  }
+
+  /// Whether the faces cover the sphere once is known from their areas, which are rounded: nothing.
+  std::optional<bool> covers_once(const std::vector<Domain_point>&, const std::vector<Triangle>&) const
+  {
+    return std::nullopt;
+  }
+  /// How far the sum of the areas, divided by that of the sphere, may be from an integer by rounding.
+  static constexpr double degree_tolerance = 1e-6;
+
+  /// @}
+  /// \name Stars
+  /// A star is a vertex `p` with the ring of its neighbours, counterclockwise.
+  /// @{
+
+  /// The charts that contain `p` and the points of `ring`, in increasing order.
+  template <class Ring>
+  Chart_numbers charts_of_star(const Domain_point& p, const Ring& ring) const
+  {
+    Chart_numbers list;
+    for (const int c : chart_numbers_at(p)) {
+      bool fits = true;
+      for (const Domain_point& r : ring) fits = fits && contains(c, r);
+      if (fits) list.push_back(c);
+    }
+    return list;
+  }
+
+  /// Of these, the one in whose coordinates the star is farthest from the border; -1 if there is none.
+  int chart_of_star(const Domain_point& p, const std::vector<Domain_point>& ring) const
+  {
+    const auto distance_to_border = [this](int c, const Domain_point& q) {
+      const Eigen::Vector2d uv = coordinates(c, q);
+      return (std::min)(uv.minCoeff(), 1 - uv.maxCoeff());
+    };
+    int best = -1;
+    double largest = 0;
+    for (const int c : charts_of_star(p, ring)) {
+      double margin = distance_to_border(c, p);
+      for (const Domain_point& r : ring) margin = (std::min)(margin, distance_to_border(c, r));
+      if (margin > largest) {
+        best = c;
+        largest = margin;
+      }
+    }
+    return best;
+  }
+
+  /// The vectors from `p` to the points of `ring` in the coordinates of a chart that contains them.
+  std::vector<Eigen::Vector2d> star_in_chart(int c, const Domain_point& p,
+                                             const std::vector<Domain_point>& ring) const
+  {
+    const Eigen::Vector2d centre = coordinates(c, p);
+    std::vector<Eigen::Vector2d> star;
+    for (const Domain_point& r : ring) star.push_back(coordinates(c, r) - centre);
+    return star;
+  }
+
+  /// Whether the whole triangle lies in chart `c`.
+  /// \pre its corners do
+  bool is_triangle_in_chart(int c, const Domain_point& p, const Domain_point& q, const Domain_point& r) const
+  {
+    return is_arc_in_chart(c, p, q) && is_arc_in_chart(c, q, r) && is_arc_in_chart(c, r, p);
+  }
+
+  /// A point inside of the kernel of a star: from there all of its triangles are positive. Nothing where none was
+  /// found, near the limits of double precision.
+  std::optional<Domain_point> kernel_point(const Domain_point& p, const std::vector<Domain_point>& ring) const
+  {
+    // One hemisphere is seen at a time: other centres than p see kernels that p does not see.
+    std::vector<Domain_point> origins{p};
+    for (std::size_t i = 0; i < ring.size(); i += 1 + ring.size() / 16) origins.push_back(ring[i]);
+    internal::Star_kernel kernel;
+    for (const Domain_point& origin : origins) {
+      const Gnomonic_chart chart(origin, ring);
+      kernel.reset(chart.bound);
+      for (std::size_t i = 0; i < ring.size() && !kernel.is_empty(); ++i)
+        kernel.clip(chart.half_plane(ring[i], ring[(i + 1) % ring.size()]));
+      if (kernel.is_empty()) continue;
+      const Domain_point centroid = chart.point(kernel.centroid());
+      bool is_inside = true;
+      for (std::size_t i = 0; i < ring.size() && is_inside; ++i)
+        is_inside = orientation(centroid, ring[i], ring[(i + 1) % ring.size()]) > 0;
+      if (is_inside) return centroid;
+    }
+    return std::nullopt;
+  }
+
+  /// Places where the vertex of a star may lie better, the best ones first: on the way to the kernel's centroid and to
+  /// the mean of the neighbours.
+  std::vector<Domain_point> better_places(const Domain_point& p, const std::vector<Domain_point>& ring) const
+  {
+    std::vector<Domain_point> targets, places;
+    if (const auto k = kernel_point(p, ring)) targets.push_back(*k);
+    Domain_point mean = Domain_point::Zero();
+    for (const Domain_point& r : ring) mean += r;
+    if (mean.norm() > 1e-3) targets.push_back(mean.normalized());
+    for (const Domain_point& target : targets)
+      for (const double step : {1., 0.6, 0.3, 0.1}) {
+        const Domain_point q = p + step * (target - p);
+        if (q.norm() > 1e-3) places.push_back(q.normalized());
+      }
+    return places;
+  }
+
+  /// Motions of the sphere that bring about equally many points into each tile: see `ManifoldAtlas`.
+  internal::Sphere_balance balancing_motions(const std::vector<Domain_point>& points,
+                                             const std::vector<Triangle>& faces) const;
+
+  /// @}
+  /// \name Pictures
+  /// Central projection makes arcs straight: the plane n.x = 0 divides the sphere as a line divides a plane.
+  /// @{
+
+  using Picture_copy = Trivial_deck;                   ///< each triangle is there once
+  static constexpr bool has_flat_pictures = false;     ///< homogeneous coordinates are those of space
+  int number_of_pictures() const { return 1; }         ///< one shows all
+  int picture(const Domain_point&) const { return 0; } ///< that one
+
+  /// The unit vector with the direction of a point, which may have any length.
+  Eigen::Vector3d homogeneous(const Domain_point& p) const { return p.stableNormalized(); }
+  /// The only copy of `q`.
+  Eigen::Vector3d homogeneous(const Domain_point&, const Domain_point& q) const { return q; }
+  /// The jet itself.
+  Jet homogeneous_jet(const Domain_jet& p) const { return p; }
+
+  /// Calls `f(0, copy)` once.
+  template <class Function>
+  void for_each_copy(const Domain_point&, const Domain_point&, const Domain_point&, const Function& f) const
+  {
+    f(0, Picture_copy());
+  }
+  /// The corners.
+  std::array<Eigen::Vector3d, 3> homogeneous(const Domain_point& p, const Domain_point& q,
+                                             const Domain_point& r, Picture_copy) const
+  {
+    return {{p, q, r}};
+  }
+
+  /// @}
 
 private:
   // [0,1] onto [-1,1], equal angles seen from the centre of the cube
@@ -289,9 +459,27 @@ private:
   {
     return s <= 0 ? -1 : s >= 1 ? 1 : std::tan(pi / 4 * (2 * s - 1));
   }
+
+  // Whether the arc lies in the chart, which contains its ends. The caps that a chart leaves out are bent the other way
+  // than great circles, so only an arc with its highest or lowest point inside can enter one.
+  bool is_arc_in_chart(int c, const Domain_point& p, const Domain_point& q) const
+  {
+    const int pole = 2 - c / 2; // the axis Z of the chart
+    const Eigen::Vector3d normal = p.cross(q);
+    Eigen::Vector3d top = Eigen::Vector3d::Unit(pole) * normal.squaredNorm() - normal * normal[pole];
+    for (int side = 0; side < 2; ++side, top = -top) // the highest point of the great circle, then the lowest
+      if (p.cross(top).dot(normal) > 0 && top.cross(q).dot(normal) > 0 && !contains(c, top.normalized()))
+        return false;
+    return true;
+  }
 };
 
 } // namespace Simple_manifolds
 } // namespace CGAL
+
+// The larger parts, which need the class.
+#include <CGAL/Simple_manifolds/atlas/internal/Sphere_batch_weights.h>
+#include <CGAL/Simple_manifolds/atlas/internal/averaged_tile.h>
+#include <CGAL/Simple_manifolds/atlas/internal/sphere_balance.h>
 
 #endif // CGAL_SIMPLE_MANIFOLDS_ATLAS_SPHERE_ATLAS_H

@@ -12,9 +12,9 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/atlas/default_chart.h>
 #include <CGAL/Simple_manifolds/correspondence/Input_indices.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/location/Point_locator.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/bounding_cube.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
@@ -28,7 +28,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -49,7 +48,7 @@ namespace Simple_manifolds {
 ///
 /// Immutable; all members are thread safe.
 ///
-/// \tparam Atlas_  `Sphere_atlas`, `Torus_atlas` or `Plane_atlas`
+/// \tparam Atlas_  a model of `ManifoldAtlas`
 /// \cgalModels{ManifoldMap}
 template <class Atlas_>
 class Manifold_map {
@@ -72,6 +71,7 @@ public:
   ///   its borders
   /// \param number_of_virtual_faces  the last faces close borders of an input mesh, see `Close_borders`
   /// \param input  where the vertices and faces come from
+  /// \param atlas  the canonical surface
   /// \pre `points.size() == domain_points.size()`, `number_of_input_vertices <= points.size()`,
   ///   `number_of_virtual_faces <= faces.size()`, `input` suits these numbers
   /// \throw Topology_error  when the mesh is no surface of the domain's genus and border
@@ -79,10 +79,12 @@ public:
   /// \throw Numeric_error  `map_not_bijective`, with the sentence of the certificate and the first bad face
   Manifold_map(std::vector<Eigen::Vector3d> points, std::vector<Triangle> faces,
                std::vector<Domain_point> domain_points, std::size_t number_of_input_vertices,
-               std::size_t number_of_virtual_faces = 0, Input_indices input = Input_indices())
-    : points_(std::move(points)), faces_(std::move(faces)), domain_points_(std::move(domain_points)),
-      number_of_input_vertices_(number_of_input_vertices), number_of_virtual_faces_(number_of_virtual_faces),
-      input_(std::move(input).compact()), locator_(certified_locator())
+               std::size_t number_of_virtual_faces = 0, Input_indices input = Input_indices(),
+               Atlas atlas = Atlas())
+    : atlas_(std::move(atlas)), points_(std::move(points)), faces_(std::move(faces)),
+      domain_points_(std::move(domain_points)), number_of_input_vertices_(number_of_input_vertices),
+      number_of_virtual_faces_(number_of_virtual_faces), input_(std::move(input).compact()),
+      locator_(certified_locator())
   {
     CGAL_precondition(input_.suits(number_of_input_vertices_, faces_.size() - number_of_virtual_faces_));
     measure();
@@ -150,7 +152,8 @@ public:
   int chart(Position f) const
   {
     const Triangle& t = face(f);
-    return internal::default_chart(atlas_, domain_points_[t[0]], domain_points_[t[1]], domain_points_[t[2]]);
+    return Simple_manifolds::default_chart(atlas_, domain_points_[t[0]], domain_points_[t[1]],
+                                           domain_points_[t[2]]);
   }
 
   /// The number of the vertex in the input: a mesh in its iteration order, arrays, or a file; -1 for added ones.
@@ -204,7 +207,7 @@ public:
   {
     CGAL_precondition(p.allFinite());
     CGAL_precondition(-1 <= face_hint && face_hint < static_cast<int>(faces_.size()));
-    const Domain_point x = in_domain(p);
+    const Domain_point x = atlas_.query(p);
     return location(locator_.locate(atlas_, domain_points_, faces_, x, face_hint), x);
   }
 
@@ -276,7 +279,7 @@ private:
     const internal::Triangle_soup soup(static_cast<int>(points_.size()), faces_);
     const Mesh_topology topology = internal::topology_of_soup(soup, opposite);
     if constexpr (Atlas::is_closed)
-      require_closed_genus(topology, Atlas::genus);
+      require_closed_genus(topology, atlas_.genus());
     else
       require_disk(topology);
     for (const Triangle& t : faces_)
@@ -291,7 +294,7 @@ private:
                           certificate_.offending_faces.empty()
                             ? Mesh_element()
                             : Mesh_element::face(certificate_.offending_faces.front()));
-    return internal::Point_locator<Atlas>(domain_points_, faces_, std::move(opposite));
+    return internal::Point_locator<Atlas>(atlas_, domain_points_, faces_, std::move(opposite));
   }
 
   void measure()
@@ -321,17 +324,6 @@ private:
   {
     return location.face >= 0 && location.face < static_cast<int>(faces_.size()) &&
            location.barycentric.minCoeff() >= 0 && std::abs(location.barycentric.sum() - 1) <= 1e-9;
-  }
-
-  // The sphere's predicates do not depend on the length of a vector, and normalising would move it.
-  Domain_point in_domain(const Domain_point& p) const
-  {
-    if constexpr (std::is_same_v<Atlas, Sphere_atlas>) {
-      CGAL_precondition(!p.isZero(0));
-      return p;
-    } else {
-      return atlas_.canonical(p);
-    }
   }
 
   Location location(const internal::Located_face& found, const Domain_point& x) const

@@ -15,8 +15,6 @@
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Star_repair.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/sphere_balance.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/torus_balance.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/Splittable_mesh.h>
 
 #include <numeric>
@@ -30,47 +28,24 @@ namespace Simple_manifolds {
 
 namespace internal {
 
-// The points of the map after the best motion that keeps it one to one. A Moebius transform bends great
-// circles, so thin faces can flip. If they cannot be unflipped, a shorter boost has to do, at last none:
-// rotations change signs by rounding only.
-inline std::vector<Eigen::Vector3d> moved_points(const Manifold_map<Sphere_atlas>& map,
-                                                 const Splittable_mesh& mesh)
-{
-  const Sphere_balance search(map.domain_points(), map.faces());
-  std::vector<Eigen::Vector3d> points(map.number_of_vertices());
-  double longest_boost = 0.95;
-  for (int attempt = 0; attempt < 8; ++attempt) {
-    const Conformal_motion motion = search.motion(longest_boost);
-    if (motion.is_identity()) break;
-    motion.for_each_image(map.domain_points(),
-                          [&](std::size_t v, const Eigen::Vector3d& p) { points[v] = p.normalized(); });
-    if (Star_repair<Sphere_atlas>(mesh, points).remove_flips()) return points;
-    longest_boost = attempt < 6 ? motion.boost.norm() / 2 : 0;
-  }
-  return map.domain_points();
-}
-
-template <class Progress>
-std::vector<Eigen::Vector3d> balanced_points(const Manifold_map<Sphere_atlas>& map, const Progress& progress)
+// The domain points of the map after the first of the atlas's motions that keeps it one to one, once vertices of flipped
+// faces and of bad stars were moved.
+template <class Atlas, class Progress>
+std::vector<typename Atlas::Domain_point> balanced_points(const Manifold_map<Atlas>& map,
+                                                          const Progress& progress)
 {
   const Splittable_mesh mesh(static_cast<int>(map.number_of_vertices()), map.faces());
-  std::vector<Eigen::Vector3d> points = moved_points(map, mesh);
+  std::vector<typename Atlas::Domain_point> points = map.domain_points();
+  auto motions = map.atlas().balancing_motions(map.domain_points(), map.faces());
+  while (auto moved = motions.next())
+    if (Star_repair<Atlas>(map.atlas(), mesh, *moved).remove_flips()) {
+      points = std::move(*moved);
+      break;
+    }
   progress(0.5);
   std::vector<int> vertices(points.size());
   std::iota(vertices.begin(), vertices.end(), 0);
-  Star_repair<Sphere_atlas>(mesh, points).meet_criteria(std::move(vertices));
-  return points;
-}
-
-template <class Progress>
-std::vector<Eigen::Vector2d> balanced_points(const Manifold_map<Torus_atlas>& map, const Progress&)
-{
-  const Eigen::Vector2d translation = Torus_balance(map.domain_points(), map.faces()).translation();
-  std::vector<Eigen::Vector2d> points = map.domain_points();
-  for (Eigen::Vector2d& p : points) p = map.atlas().canonical(p + translation);
-  // Exact for the multiples of 2^-52 that the mapper makes; points from elsewhere may be rounded.
-  for (const Triangle& t : map.faces())
-    if (!is_positive_face(map.atlas(), points[t[0]], points[t[1]], points[t[2]])) return map.domain_points();
+  Star_repair<Atlas>(map.atlas(), mesh, points).meet_criteria(std::move(vertices));
   return points;
 }
 
@@ -111,7 +86,7 @@ Manifold_map<Atlas> balance(const Manifold_map<Atlas>& map,
       internal::balanced_points(map, [&](double fraction) { visitor.progress(fraction); });
     visitor.end_phase();
     return Manifold_map<Atlas>(map.points(), map.faces(), std::move(points), map.number_of_input_vertices(),
-                               map.number_of_virtual_faces(), map.input_indices());
+                               map.number_of_virtual_faces(), map.input_indices(), map.atlas());
   }
 }
 

@@ -10,16 +10,12 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/domain_geometry.h>
+#include <CGAL/Simple_manifolds/atlas/Trivial_deck.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -101,63 +97,6 @@ inline void name_offender(std::vector<int>& names, std::size_t element)
   if (names.size() < max_named_offenders) names.push_back(static_cast<int>(element));
 }
 
-// The side of the square (0 bottom, 1 right, 2 top, 3 left) of a border point, and how far along it,
-// counterclockwise; a corner belongs to the side that it starts. Off the border the side is -1.
-inline std::pair<int, double> place_on_square(const Eigen::Vector2d& p)
-{
-  if (p.y() == 0 && p.x() < 1) return {0, p.x()};
-  if (p.x() == 1 && p.y() < 1) return {1, p.y()};
-  if (p.y() == 1 && p.x() > 0) return {2, -p.x()};
-  return {p.x() == 0 ? 3 : -1, -p.y()};
-}
-
-// What is wrong with the border of a map to the square, or nothing: it has to hit the four corners
-// and to run once round, strictly forward. `loop` are the border vertices in order.
-inline std::string border_fault(const std::vector<Eigen::Vector2d>& points, std::vector<int> loop)
-{
-  for (int v : loop)
-    if (place_on_square(points[v]).first == -1)
-      return "border vertex " + std::to_string(v) + " lies off the border of the square";
-  for (const Eigen::Vector2d& corner :
-       {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0), Eigen::Vector2d(1, 1), Eigen::Vector2d(0, 1)}) {
-    const auto hits = std::count_if(loop.begin(), loop.end(), [&](int v) { return points[v] == corner; });
-    if (hits != 1)
-      return std::to_string(hits) + " border vertices lie at the corner (" + std::to_string(int(corner.x())) +
-             "," + std::to_string(int(corner.y())) + ") of the square";
-  }
-  const auto origin = std::find_if(loop.begin(), loop.end(), [&](int v) { return points[v].isZero(0); });
-  std::rotate(loop.begin(), origin, loop.end());
-  for (std::size_t i = 1; i < loop.size(); ++i)
-    if (!(place_on_square(points[loop[i - 1]]) < place_on_square(points[loop[i]])))
-      return "the border goes back or stands still at vertex " + std::to_string(loop[i]);
-  return std::string();
-}
-
-// Whether the signed areas of the faces sum exactly to 1; nothing if a coordinate is not a multiple of 2^-52 in [0,1].
-// On the torus the faces are those of the nearest lifts.
-inline std::optional<bool> total_area_is_one(const std::vector<Eigen::Vector2d>& points,
-                                             const std::vector<Triangle>& faces, bool is_torus)
-{
-  const double unit = 4503599627370496.; // 2^52
-  const auto on_grid = [&](double x) { return 0 <= x && x <= 1 && std::floor(x * unit) == x * unit; };
-  boost::multiprecision::int128_t sum = 0; // of twice the areas, in units of 2^-104
-  for (const Triangle& t : faces) {
-    for (int v : t)
-      if (!on_grid(points[v][0]) || !on_grid(points[v][1])) return std::nullopt;
-    std::array<std::array<std::int64_t, 2>, 2> edge; // from corner 0, exact
-    for (int k = 0; k < 2; ++k) {
-      const Eigen::Vector2d &p = points[t[0]], &q = points[t[k + 1]];
-      const Eigen::Vector2i lift = is_torus ? Torus_atlas::lift_offset(p, q) : Eigen::Vector2i(0, 0);
-      for (int i = 0; i < 2; ++i)
-        edge[k][i] = static_cast<std::int64_t>(q[i] * unit) - static_cast<std::int64_t>(p[i] * unit) +
-                     lift[i] * static_cast<std::int64_t>(unit);
-    }
-    sum += boost::multiprecision::int128_t(edge[0][0]) * edge[1][1];
-    sum -= boost::multiprecision::int128_t(edge[0][1]) * edge[1][0];
-  }
-  return sum == boost::multiprecision::int128_t(1) << 105;
-}
-
 // The ranges of the vertices; signs, lifts and degree of the faces.
 template <class Atlas>
 void certify_faces(const Atlas& atlas, const std::vector<typename Atlas::Domain_point>& points,
@@ -170,42 +109,38 @@ void certify_faces(const Atlas& atlas, const std::vector<typename Atlas::Domain_
   for (std::size_t v = 0; v < points.size(); ++v) {
     if (!used[v]) continue;
     finite = finite && points[v].allFinite();
-    if (!points[v].allFinite() || !is_in_range(atlas, points[v])) {
+    if (!points[v].allFinite() || !atlas.is_valid(points[v])) {
       ++certificate.out_of_range;
       name_offender(certificate.offending_vertices, v);
     }
   }
-  if (!finite || (std::is_same_v<Atlas, Torus_atlas> && certificate.out_of_range > 0))
-    return; // no sign has a meaning
+  constexpr bool has_copies = !std::is_same_v<typename Atlas::Deck, Trivial_deck>;
+  if (!finite || (has_copies && certificate.out_of_range > 0)) return; // no sign has a meaning
 
   double total = 0, smallest = (std::numeric_limits<double>::max)();
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto& a = points[faces[f][0]];
     const auto& b = points[faces[f][1]];
     const auto& c = points[faces[f][2]];
-    bool liftable = true;
-    if constexpr (std::is_same_v<Atlas, Torus_atlas>) liftable = is_liftable(a, b, c);
+    const bool liftable = atlas.is_triangle(a, b, c);
     const int sign = atlas.orientation(a, b, c);
     certificate.unliftable += !liftable;
     certificate.flipped += sign < 0;
     certificate.degenerate += sign == 0;
     if (sign <= 0 || !liftable) name_offender(certificate.offending_faces, f);
-    const double area = sign == 0 ? 0. : signed_area(atlas, a, b, c);
+    const double area = sign == 0 ? 0. : atlas.signed_area(a, b, c);
     total += area;
     smallest = (std::min)(smallest, area);
   }
-  certificate.degree = total / Atlas::area;
+  certificate.degree = total / atlas.area();
   certificate.smallest_domain_area = smallest;
   // The degree of a map between closed surfaces is an integer, and that to the square follows from its
-  // border: the tolerance is no threshold, it only absorbs rounding. On torus and square the areas of the
-  // points that the mapper makes, on the grid of 2^-52, are also summed exactly.
-  const double tolerance = std::is_same_v<Atlas, Sphere_atlas> ? 1e-6 : 1e-9;
-  certificate.degree_is_one = std::abs(certificate.degree - 1) <= tolerance;
-  if constexpr (!std::is_same_v<Atlas, Sphere_atlas>)
-    if (const std::optional<bool> exact = total_area_is_one(points, faces, Atlas::is_closed)) {
-      certificate.area_is_exact = true;
-      certificate.degree_is_one = *exact;
-    }
+  // border: the tolerance is no threshold, it only absorbs rounding.
+  certificate.degree_is_one = std::abs(certificate.degree - 1) <= Atlas::degree_tolerance;
+  if (const std::optional<bool> exact = atlas.covers_once(points, faces)) {
+    certificate.area_is_exact = true;
+    certificate.degree_is_one = *exact;
+  }
 }
 
 // The mesh is a surface of the domain's kind, so only the domain points remain to be examined.
@@ -216,7 +151,7 @@ Certificate certify_surface(const Atlas& atlas, const std::vector<typename Atlas
 {
   Certificate certificate;
   certificate.faces = faces.size();
-  certificate.topology_ok = topology.is_connected() && topology.genus == Atlas::genus &&
+  certificate.topology_ok = topology.is_connected() && topology.genus == atlas.genus() &&
                             topology.border_loops == (Atlas::is_closed ? 0 : 1);
   certificate.topology_message = topology.sentence();
   certify_faces(atlas, points, faces, certificate);
@@ -224,7 +159,7 @@ Certificate certify_surface(const Atlas& atlas, const std::vector<typename Atlas
   if constexpr (!Atlas::is_closed) {
     const Triangle_soup soup(static_cast<int>(points.size()), faces);
     const auto loops = border_loops(soup, opposite);
-    if (loops.size() == 1) certificate.border_message = border_fault(points, loops[0]);
+    if (loops.size() == 1) certificate.border_message = atlas.border_fault(points, loops[0]);
     certificate.border_ok = loops.size() == 1 && certificate.border_message.empty();
   }
   return certificate;

@@ -10,8 +10,6 @@
 
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/lifts.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/Splittable_mesh.h>
 
 #include <Eigen/Core>
@@ -77,85 +75,6 @@ struct Criteria_report {
 
 namespace internal {
 
-// A chart and how far its border is from a star, in chart coordinates.
-struct Star_chart {
-  int chart = -1;
-  double margin = 0;
-  void offer(int c, double m)
-  {
-    if (m > margin) {
-      chart = c;
-      margin = m;
-    }
-  }
-};
-
-inline double distance_to_border(const Eigen::Vector2d& uv)
-{
-  return (std::min)(uv.minCoeff(), 1 - uv.maxCoeff());
-}
-
-inline Star_chart chart_of_star(const Sphere_atlas& atlas, const Eigen::Vector3d& p,
-                                const std::vector<Eigen::Vector3d>& ring)
-{
-  Chart_mask mask = charts_of_point(atlas, p);
-  for (const auto& r : ring)
-    if (mask != 0) mask &= charts_of_point(atlas, r);
-  Star_chart best;
-  for (int c = 0; c < Sphere_atlas::number_of_charts; ++c) {
-    if ((mask >> c & 1) == 0) continue;
-    double margin = distance_to_border(atlas.coordinates(c, p));
-    for (const auto& r : ring) margin = (std::min)(margin, distance_to_border(atlas.coordinates(c, r)));
-    best.offer(c, margin);
-  }
-  return best;
-}
-inline Star_chart chart_of_star(const Torus_atlas& atlas, const Eigen::Vector2d& p,
-                                const std::vector<Eigen::Vector2d>& ring)
-{
-  Eigen::Vector2d low(0, 0), high(0, 0);
-  for (const auto& r : ring) {
-    const Eigen::Vector2d d = shortest_difference(p, r);
-    low = low.cwiseMin(d);
-    high = high.cwiseMax(d);
-  }
-  const Chart_mask mask = charts_of_box(p, low, high);
-  Star_chart best;
-  for (int c = 0; c < Torus_atlas::number_of_charts; ++c) {
-    if ((mask >> c & 1) == 0) continue;
-    const Eigen::Vector2d uv = atlas.coordinates(c, p);
-    // Positive, as the mask says; not always after rounding.
-    best.offer(c,
-               (std::max)(1e-300, (std::min)((uv + 1.5 * low).minCoeff(), 1 - (uv + 1.5 * high).maxCoeff())));
-  }
-  return best;
-}
-inline Star_chart chart_of_star(const Plane_atlas&, const Eigen::Vector2d&,
-                                const std::vector<Eigen::Vector2d>&)
-{
-  return {0, 1};
-}
-
-// The vectors from p to the ring in coordinates of the chart (on the torus up to its factor 3/2).
-inline void star_in_chart(const Sphere_atlas& atlas, int chart, const Eigen::Vector3d& p,
-                          const std::vector<Eigen::Vector3d>& ring, std::vector<Eigen::Vector2d>& result)
-{
-  const Eigen::Vector2d centre = atlas.coordinates(chart, p);
-  result.clear();
-  for (const auto& r : ring) result.push_back(atlas.coordinates(chart, r) - centre);
-}
-template <class Atlas>
-void star_in_chart(const Atlas&, int, const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& ring,
-                   std::vector<Eigen::Vector2d>& result)
-{
-  result.clear();
-  for (const auto& r : ring)
-    if constexpr (Atlas::is_closed)
-      result.push_back(shortest_difference(p, r));
-    else
-      result.push_back(r - p);
-}
-
 // Whether the polygon turns left or goes straight at each corner and all of it is seen from the origin.
 // Points in line are no longer quite so in chart coordinates.
 inline bool is_convex_round_origin(std::vector<Eigen::Vector2d> polygon, bool is_closed)
@@ -179,10 +98,9 @@ Star_criteria star_criteria(const Atlas& atlas, const Point& p, const std::vecto
                             bool is_closed)
 {
   Star_criteria s;
-  s.chart = chart_of_star(atlas, p, ring).chart;
+  s.chart = atlas.chart_of_star(p, ring);
   if (s.chart == -1) return s;
-  std::vector<Eigen::Vector2d> star;
-  star_in_chart(atlas, s.chart, p, ring, star);
+  std::vector<Eigen::Vector2d> star = atlas.star_in_chart(s.chart, p, ring);
   double turn = 0;
   for (std::size_t i = 0; i < star.size(); ++i) {
     const Eigen::Vector2d &a = star[i], &b = star[(i + 1) % star.size()];
@@ -230,7 +148,7 @@ Criteria_report criteria_report(const Atlas& atlas,
       if (report.first_outside.size() < longest_list) report.first_outside.push_back(v);
     }
   }
-  const double mean = double(report.vertices) / Atlas::number_of_charts;
+  const double mean = double(report.vertices) / atlas.number_of_charts();
   if (mean > 0)
     for (std::size_t n : report.charts.chart_counts)
       report.largest_deviation = (std::max)(report.largest_deviation, std::abs(n / mean - 1));

@@ -10,10 +10,9 @@
 
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/domain_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/bounding_cube.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/mesh/variation.h>
+#include <CGAL/Simple_manifolds/internal/Vertex_faces.h>
+#include <CGAL/Simple_manifolds/internal/variation.h>
 
 #include <CGAL/assertions.h>
 
@@ -23,6 +22,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -108,13 +108,13 @@ Face_maps face_maps(const Atlas& atlas, const std::vector<Eigen::Vector3d>& poin
     const auto& c = domain_points[t[2]];
     const Eigen::Vector3d p = scale * points[t[0]], d = scale * points[t[1]] - p,
                           e = scale * points[t[2]] - p;
-    const double area = d.cross(e).norm() / 2, domain_area = signed_area(atlas, a, b, c);
+    const double area = d.cross(e).norm() / 2, domain_area = atlas.signed_area(a, b, c);
     maps.smallest_domain_area = (std::min)(maps.smallest_domain_area, domain_area);
     if (!(area > 0)) {
       ++maps.zero_area_faces;
       continue;
     }
-    const auto edges = flat_edges(atlas, a, b, c);
+    const auto edges = atlas.flat_edges(a, b, c);
     const Eigen::Matrix2d space = flatten(d, e), domain = flatten(edges.first, edges.second);
     Eigen::Matrix2d inverse; // of an upper triangular matrix
     inverse << 1 / space(0, 0), -space(0, 1) / (space(0, 0) * space(1, 1)), 0, 1 / space(1, 1);
@@ -213,7 +213,7 @@ Distortion distortion(const Atlas& atlas, const std::vector<Eigen::Vector3d>& po
 {
   CGAL_precondition(points.size() == domain_points.size());
   const internal::Face_maps maps = internal::face_maps(atlas, points, domain_points, faces);
-  const bool has_metric = Atlas::genus == 1 && !maps.area.empty();
+  const bool has_metric = Atlas::has_free_metric && !maps.area.empty();
   return internal::distortion_in_metric(maps, has_metric ? internal::best_metric(maps)
                                                          : Eigen::Matrix2d(Eigen::Matrix2d::Identity()));
 }
@@ -255,16 +255,22 @@ Chart_report chart_report(const Atlas& atlas, const std::vector<typename Atlas::
   for (const Triangle& t : faces)
     for (int v : t) used[v] = true;
   Chart_report report;
-  report.chart_counts.resize(Atlas::number_of_charts);
-  const std::vector<internal::Chart_mask> stars = internal::charts_of_stars(atlas, domain_points, faces);
+  report.chart_counts.resize(atlas.number_of_charts());
+  const internal::Vertex_faces vertex_faces(domain_points.size(), faces);
+  std::vector<typename Atlas::Domain_point> ring;
   for (std::size_t v = 0; v < domain_points.size(); ++v) {
     if (!used[v]) continue;
     ++report.chart_counts[atlas.tile(domain_points[v])];
-    report.stars_without_chart += stars[v] == 0;
+    ring.clear();
+    for (const int* f = vertex_faces.begin(v); f != vertex_faces.end(v); ++f)
+      for (const int w : faces[*f])
+        if (w != static_cast<int>(v)) ring.push_back(domain_points[w]);
+    report.stars_without_chart += atlas.charts_of_star(domain_points[v], ring).empty();
   }
-  for (const Triangle& t : faces)
-    report.faces_without_chart +=
-      internal::charts_of_face(atlas, domain_points[t[0]], domain_points[t[1]], domain_points[t[2]]) == 0;
+  for (const Triangle& t : faces) {
+    const std::array<typename Atlas::Domain_point, 2> others = {{domain_points[t[1]], domain_points[t[2]]}};
+    report.faces_without_chart += atlas.charts_of_star(domain_points[t[0]], others).empty();
+  }
 
   std::size_t sum = 0, largest = 0;
   for (std::size_t n : report.chart_counts) {
@@ -274,7 +280,7 @@ Chart_report chart_report(const Atlas& atlas, const std::vector<typename Atlas::
   if (sum > 0) {
     report.variation = internal::variation(report.chart_counts);
     report.largest_over_mean =
-      static_cast<double>(largest * Atlas::number_of_charts) / static_cast<double>(sum);
+      static_cast<double>(largest * report.chart_counts.size()) / static_cast<double>(sum);
   }
   return report;
 }

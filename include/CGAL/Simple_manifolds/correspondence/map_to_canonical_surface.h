@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_CANONICAL_SURFACE_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_CANONICAL_SURFACE_H
 
+#include <CGAL/Simple_manifolds/correspondence/Any_map.h>
 #include <CGAL/Simple_manifolds/internal/concepts.h>
 #include <CGAL/Simple_manifolds/internal/named_parameters.h>
 
@@ -30,16 +31,21 @@ namespace Simple_manifolds {
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
 ///
-/// A map to the canonical surface of whatever genus the mesh has; use it with `std::visit`.
-using Any_map =
-  std::variant<Manifold_map<Plane_atlas>, Manifold_map<Sphere_atlas>, Manifold_map<Torus_atlas>>;
+namespace internal {
+
+template <class FaceListGraph>
+struct Map_of_mesh {
+  template <class Atlas>
+  using Type = Mesh_map<FaceListGraph, Atlas>;
+};
+
+} // namespace internal
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
 ///
 /// The same for a mesh: each alternative is an `Any_map`, too.
 template <class FaceListGraph>
-using Any_mesh_map = std::variant<Mesh_map<FaceListGraph, Plane_atlas>, Mesh_map<FaceListGraph, Sphere_atlas>,
-                                  Mesh_map<FaceListGraph, Torus_atlas>>;
+using Any_mesh_map = Canonical_surfaces::Variant<internal::Map_of_mesh<FaceListGraph>::template Type>;
 
 namespace internal {
 
@@ -48,13 +54,10 @@ template <class ConcurrencyTag, class Vertices, class NamedParameters>
 Any_map map_arrays_to_canonical_surface(const Vertices& vertex, Mesh_arrays arrays, const NamedParameters& np)
 {
   const std::vector<int> corners = corners_of(vertex, arrays, np);
-  if (!arrays.topology.is_closed()) return map_to_plane<ConcurrencyTag>(std::move(arrays), {}, corners, np);
-  CGAL_precondition_msg(corners.empty(), "a closed mesh has no corners");
-  if (arrays.topology.genus == 0) return map_to_sphere<ConcurrencyTag>(arrays, {}, np);
-  if (arrays.topology.is_connected() && arrays.topology.genus > 1)
-    throw Topology_error(Error_code::wrong_genus,
-                         arrays.topology.sentence() + ": only genus 0 and 1 have a canonical surface");
-  return map_to_torus<ConcurrencyTag>(arrays, {}, np);
+  CGAL_precondition_msg(corners.empty() || !arrays.topology.is_closed(), "a closed mesh has no corners");
+  return with_canonical_surface(arrays.topology, [&](auto type) -> Any_map {
+    return map_to<ConcurrencyTag>(type, std::move(arrays), corners, np);
+  });
 }
 
 // The map as one of the mesh whose elements were numbered.

@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_PLANE_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_PLANE_H
 
+#include <CGAL/Simple_manifolds/atlas/canonical_surfaces.h>
 #include <CGAL/Simple_manifolds/internal/concepts.h>
 #include <CGAL/Simple_manifolds/internal/named_parameters.h>
 
@@ -84,6 +85,14 @@ Manifold_map<Plane_atlas> map_arrays_to_plane(const Vertices& vertex, Mesh_array
   Manifold_map<Plane_atlas> map = map_to_plane<ConcurrencyTag>(std::move(a), landmarks, corners, np);
   write_domain_points(vertex, index, map, np);
   return map;
+}
+
+// What a choice from the list of canonical surfaces calls.
+template <class ConcurrencyTag, class NamedParameters>
+Manifold_map<Plane_atlas> map_to(Canonical_surfaces::Type<Plane_atlas>, Mesh_arrays a,
+                                 const std::vector<int>& corners, const NamedParameters& np)
+{
+  return map_to_plane<ConcurrencyTag>(std::move(a), {}, corners, np);
 }
 
 } // namespace internal

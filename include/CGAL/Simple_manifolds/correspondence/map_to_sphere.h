@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_SPHERE_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_SPHERE_H
 
+#include <CGAL/Simple_manifolds/atlas/canonical_surfaces.h>
 #include <CGAL/Simple_manifolds/internal/concepts.h>
 #include <CGAL/Simple_manifolds/internal/named_parameters.h>
 
@@ -26,7 +27,7 @@ Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
                                          const std::vector<Indexed_landmark<Eigen::Vector3d>>& landmarks,
                                          const NamedParameters& np)
 {
-  require_closed_genus(a.topology, Sphere_atlas::genus);
+  require_closed_genus(a.topology, Sphere_atlas::genus());
   const int n = static_cast<int>(a.points.size());
   const Layout_problem<Eigen::Vector3d> problem{a.points, a.triangles, -1, a.vertex_weight, landmarks};
   return certified_map<Sphere_atlas, ConcurrencyTag>(
@@ -51,6 +52,14 @@ Manifold_map<Sphere_atlas> map_arrays_to_sphere(const Vertices& vertex, const Me
     map_to_sphere<ConcurrencyTag>(a, landmarks_of<Eigen::Vector3d>(vertex, a, np), np);
   write_domain_points(vertex, a.index, map, np);
   return map;
+}
+
+// What a choice from the list of canonical surfaces calls.
+template <class ConcurrencyTag, class NamedParameters>
+Manifold_map<Sphere_atlas> map_to(Canonical_surfaces::Type<Sphere_atlas>, const Mesh_arrays& a,
+                                  const std::vector<int>&, const NamedParameters& np)
+{
+  return map_to_sphere<ConcurrencyTag>(a, {}, np);
 }
 
 } // namespace internal

@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_TORUS_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_TORUS_H
 
+#include <CGAL/Simple_manifolds/atlas/canonical_surfaces.h>
 #include <CGAL/Simple_manifolds/internal/concepts.h>
 #include <CGAL/Simple_manifolds/internal/named_parameters.h>
 
@@ -40,7 +41,7 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a,
                                        const std::vector<Indexed_landmark<Eigen::Vector2d>>& landmarks,
                                        const NamedParameters& np)
 {
-  require_closed_genus(a.topology, Torus_atlas::genus);
+  require_closed_genus(a.topology, Torus_atlas::genus());
   const int n = static_cast<int>(a.points.size()), m = static_cast<int>(a.triangles.size());
   const Layout_problem<Eigen::Vector2d> problem{a.points, a.triangles, -1, a.vertex_weight, landmarks};
   return certified_map<Torus_atlas, ConcurrencyTag>(
@@ -77,6 +78,14 @@ Manifold_map<Torus_atlas> map_arrays_to_torus(const Vertices& vertex, const Mesh
     map_to_torus<ConcurrencyTag>(a, landmarks_of<Eigen::Vector2d>(vertex, a, np), np);
   write_domain_points(vertex, a.index, map, np);
   return map;
+}
+
+// What a choice from the list of canonical surfaces calls.
+template <class ConcurrencyTag, class NamedParameters>
+Manifold_map<Torus_atlas> map_to(Canonical_surfaces::Type<Torus_atlas>, const Mesh_arrays& a,
+                                 const std::vector<int>&, const NamedParameters& np)
+{
+  return map_to_torus<ConcurrencyTag>(a, {}, np);
 }
 
 } // namespace internal

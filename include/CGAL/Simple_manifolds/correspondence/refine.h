@@ -30,25 +30,6 @@ namespace Simple_manifolds {
 
 namespace internal {
 
-// A measure of the length of an edge in the domain, and its middle.
-inline double edge_size(const Sphere_atlas&, const Eigen::Vector3d& p, const Eigen::Vector3d& q)
-{
-  return (p - q).norm();
-}
-inline double edge_size(const Torus_atlas&, const Eigen::Vector2d& p, const Eigen::Vector2d& q)
-{
-  return shortest_difference(p, q).cwiseAbs().maxCoeff(); // charts are squares
-}
-inline Eigen::Vector3d edge_middle(const Sphere_atlas&, const Eigen::Vector3d& p, const Eigen::Vector3d& q)
-{
-  return (p + q).normalized();
-}
-inline Eigen::Vector2d edge_middle(const Torus_atlas& atlas, const Eigen::Vector2d& p,
-                                   const Eigen::Vector2d& q)
-{
-  return atlas.canonical(p + shortest_difference(p, q) / 2);
-}
-
 // Splits edges until the criteria 2 and 3 hold at each vertex. Half an edge lies wherever the edge did, so
 // no star grows: the splits come to an end when all edges are short.
 template <class Atlas>
@@ -57,8 +38,8 @@ public:
   using Point = typename Atlas::Domain_point;
 
   explicit Star_refinement(const Manifold_map<Atlas>& map)
-    : mesh_(static_cast<int>(map.number_of_vertices()), map.faces()), points_(map.points()),
-      domain_points_(map.domain_points()), repair_(mesh_, domain_points_)
+    : atlas_(map.atlas()), mesh_(static_cast<int>(map.number_of_vertices()), map.faces()),
+      points_(map.points()), domain_points_(map.domain_points()), repair_(atlas_, mesh_, domain_points_)
   {
   }
 
@@ -102,7 +83,7 @@ public:
     faces.insert(faces.end(), virtual_faces.begin(), virtual_faces.end());
     return Manifold_map<Atlas>(std::move(points_), std::move(faces), std::move(domain_points_),
                                before.number_of_input_vertices(), virtual_faces.size(),
-                               before.input_indices().of_parts(std::move(parents)));
+                               before.input_indices().of_parts(std::move(parents)), atlas_);
   }
 
 private:
@@ -134,7 +115,7 @@ private:
     int from, to;
     double size;
   };
-  Edge edge(int v, int w) const { return {v, w, edge_size(Atlas(), domain_points_[v], domain_points_[w])}; }
+  Edge edge(int v, int w) const { return {v, w, atlas_.edge_size(domain_points_[v], domain_points_[w])}; }
 
   std::vector<Edge> spokes(int v) const
   {
@@ -162,8 +143,7 @@ private:
   {
     std::vector<Point> ring;
     for (int w : ring_) ring.push_back(domain_points_[w]);
-    std::vector<Eigen::Vector2d> star;
-    star_in_chart(Atlas(), chart, domain_points_[v], ring, star);
+    const std::vector<Eigen::Vector2d> star = atlas_.star_in_chart(chart, domain_points_[v], ring);
     std::vector<Edge> edges;
     for (std::size_t i = 0; i < star.size(); ++i) {
       const std::size_t j = (i + 1) % star.size();
@@ -181,9 +161,9 @@ private:
     const auto [left, right] = mesh_.opposite_corners(v, w);
     const std::vector<Point> star = {domain_points_[v], domain_points_[right], domain_points_[w],
                                      domain_points_[left]};
-    Point middle = edge_middle(Atlas(), star[0], star[2]);
+    Point middle = atlas_.midpoint(star[0], star[2]);
     if (!repair_.is_star_positive(middle, star)) {
-      const auto p = repair_.kernel_centroid(middle, star);
+      const auto p = repair_.kernel_point(middle, star);
       if (!p) return false;
       middle = *p;
     }
@@ -193,6 +173,7 @@ private:
     return true;
   }
 
+  const Atlas& atlas_;
   Splittable_mesh mesh_;
   std::vector<Eigen::Vector3d> points_;
   std::vector<Point> domain_points_;

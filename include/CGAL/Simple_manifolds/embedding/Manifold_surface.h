@@ -63,21 +63,21 @@ public:
   using Bump = Bump_;                                ///< the bump function
 
   /// \param charts  one embedding per chart
-  /// \pre `charts.size() == Atlas::number_of_charts`
+  /// \pre `charts.size()` is the number of charts of the atlas
   explicit Manifold_surface(std::vector<Chart_embedding> charts, Bump bump = Bump(), Atlas atlas = Atlas())
     : charts_(std::move(charts)), partition_(bump, atlas)
   {
-    CGAL_precondition(charts_.size() == std::size_t(Atlas::number_of_charts));
+    CGAL_precondition(charts_.size() == std::size_t(partition_.atlas().number_of_charts()));
   }
 
   /// The atlas of the domain.
   const Atlas& atlas() const { return partition_.atlas(); }
   /// The bump function.
   const Bump& bump() const { return partition_.bump(); }
-  /// E_c. \pre `0 <= c < Atlas::number_of_charts`
+  /// E_c. \pre `0 <= c < atlas().number_of_charts()`
   const Chart_embedding& chart_embedding(int c) const
   {
-    CGAL_precondition(0 <= c && c < Atlas::number_of_charts);
+    CGAL_precondition(0 <= c && c < atlas().number_of_charts());
     return charts_[c];
   }
 
@@ -86,7 +86,7 @@ public:
   {
     int k = charts_.front().smoothness();
     for (const Chart_embedding& e : charts_) k = (std::min)(k, e.smoothness());
-    return Atlas::number_of_charts == 1 ? k : (std::min)(k, Bump::smoothness);
+    return Atlas::has_single_chart ? k : (std::min)(k, Bump::smoothness);
   }
 
   /// \name Evaluation at one point
@@ -258,7 +258,7 @@ private:
         results[k] = jet<Order>(points[k]);
   }
 
-  static constexpr bool has_single_chart = Atlas::number_of_charts == 1;
+  static constexpr bool has_single_chart = Atlas::has_single_chart;
 
   // The quotient of the sums of w E_c and of w. The product is taken in the chart c, then both are
   // transported to the chart of a: one change of chart per chart, the same as for E_c alone.
@@ -267,7 +267,7 @@ private:
   {
     if constexpr (has_single_chart) {
       return charts_[0].template jet<Order>(a.uv);
-    } else if constexpr (std::is_same_v<Atlas, Torus_atlas>) { // no changes of chart: they are translations
+    } else if constexpr (Atlas::has_flat_transitions) { // no changes of chart: they are translations
       Scalar_jet weight = Scalar_jet::zero();
       Jet sum = Jet::zero();
       for (const Chart_point& q : atlas().charts_at(p.value)) {
@@ -279,9 +279,8 @@ private:
     } else {
       Scalar_jet weight = partition_.proto_jet(a.uv);
       Jet sum = product(weight, charts_[a.chart].template jet<Order>(a.uv));
-      for (int c = 0; c < Atlas::number_of_charts; ++c) {
-        if (c == a.chart || !atlas().contains(c, p.value)) // before any trigonometry
-          continue;
+      for (const int c : atlas().chart_numbers_at(p.value)) {
+        if (c == a.chart) continue;
         const Transition_jet psi = atlas().chart(c).coordinates_jet(p);
         add(partition_.proto_jet(psi.value), charts_[c].template jet<Order>(psi.value), psi, weight, sum);
       }

@@ -53,23 +53,22 @@ public:
   template <int Order = 2>
   Jet jet(const Eigen::Vector2d& uv) const
   {
-    // Barycentric coordinates are g / sum(g), where g = Q^-1 p and the columns of Q are the corners. On
-    // the flat domains points get the third coordinate 1, and the sum is 1.
+    // Barycentric coordinates are g / sum(g), where g = Q^-1 p and the columns of Q are the corners, in homogeneous
+    // coordinates.
     const Basic_jet<Domain_point> p = map_->atlas().chart(chart_).point_jet(uv);
     const auto location = map_->to_mesh(p.value);
     const auto& face = map_->face(location.face);
     Eigen::Matrix3d q, x;
     for (int k = 0; k < 3; ++k) {
-      q.col(k) = homogeneous(nearest_copy(p.value, map_->domain_point(face[k])), 1);
+      q.col(k) = map_->atlas().homogeneous(p.value, map_->domain_point(face[k]));
       x.col(k) = map_->point(face[k]);
     }
     const Eigen::Matrix3d inverse = q.inverse(), numerator = x * inverse;
-    const Eigen::Vector3d h = homogeneous(p.value, 1), hu = homogeneous(p.u, 0), hv = homogeneous(p.v, 0),
-                          huu = homogeneous(p.uu, 0), huv = homogeneous(p.uv, 0), hvv = homogeneous(p.vv, 0);
+    const Jet h = map_->atlas().homogeneous_jet(p);
     const auto sum = [&](const Eigen::Vector3d& y) { return (inverse * y).sum(); };
-    Jet e = quotient(
-      Jet{numerator * h, numerator * hu, numerator * hv, numerator * huu, numerator * huv, numerator * hvv},
-      Scalar_jet{sum(h), sum(hu), sum(hv), sum(huu), sum(huv), sum(hvv)});
+    Jet e = quotient(Jet{numerator * h.value, numerator * h.u, numerator * h.v, numerator * h.uu,
+                         numerator * h.uv, numerator * h.vv},
+                     Scalar_jet{sum(h.value), sum(h.u), sum(h.v), sum(h.uu), sum(h.uv), sum(h.vv)});
     if constexpr (Order < 2) e.uu = e.uv = e.vv = Eigen::Vector3d::Zero();
     return e;
   }
@@ -77,23 +76,6 @@ public:
 private:
   using Atlas = typename Map::Atlas;
   using Domain_point = typename Atlas::Domain_point;
-
-  // the copy of q nearest to p, where the domain is periodic
-  static Domain_point nearest_copy(const Domain_point& p, const Domain_point& q)
-  {
-    if constexpr (Atlas::genus == 1)
-      return Atlas::lift(p, q);
-    else
-      return q;
-  }
-
-  static Eigen::Vector3d homogeneous(const Domain_point& p, double last)
-  {
-    if constexpr (std::is_same_v<Domain_point, Eigen::Vector3d>)
-      return p;
-    else
-      return {p.x(), p.y(), last};
-  }
 
   const Map* map_;
   int chart_;
@@ -109,7 +91,7 @@ template <class Map>
 std::vector<Map_embedding<internal::Map_on_arrays<Map>>> map_embeddings(const Map& map)
 {
   std::vector<Map_embedding<internal::Map_on_arrays<Map>>> charts;
-  for (int c = 0; c < Map::Atlas::number_of_charts; ++c) charts.emplace_back(map, c);
+  for (int c = 0; c < map.atlas().number_of_charts(); ++c) charts.emplace_back(map, c);
   return charts;
 }
 template <class Map>

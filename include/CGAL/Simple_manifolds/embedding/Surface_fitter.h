@@ -73,7 +73,7 @@ public:
     CGAL_precondition(options.rms_error >= 0 && options.max_error >= 0);
     CGAL_precondition(options.fairness >= 0 && options.fairness <= 1e12);
     CGAL_precondition(options.spline_degree >= 2 && options.spline_degree <= 5);
-    CGAL_precondition(options.max_controls >= std::size_t(Atlas::number_of_charts) *
+    CGAL_precondition(options.max_controls >= std::size_t(map.atlas().number_of_charts()) *
                                                 (4 + options.spline_degree) * (4 + options.spline_degree));
     CGAL_precondition(options.vertex_weights.empty() ||
                       options.vertex_weights.size() == map.number_of_vertices());

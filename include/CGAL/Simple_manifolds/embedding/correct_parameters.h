@@ -12,8 +12,9 @@
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/domain_geometry.h>
 #include <CGAL/Simple_manifolds/embedding/internal/closest_point/approach.h>
+
+#include <CGAL/Simple_manifolds/internal/Vertex_faces.h>
 
 #include <Eigen/Core>
 
@@ -47,25 +48,12 @@ Manifold_map<Atlas> correct_parameters(const Manifold_map<Atlas>& map, const Sur
   const Atlas& atlas = map.atlas();
   std::vector<Domain_point> p = map.domain_points();
 
-  std::vector<std::size_t> begin(p.size() + 1, 0);
-  std::vector<int> star(3 * map.number_of_faces()); // the faces of each vertex
-  for (const Triangle& t : map.faces())
-    for (const int v : t) ++begin[v + 1];
-  for (std::size_t v = 0; v < p.size(); ++v) begin[v + 1] += begin[v];
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (std::size_t f = 0; f < map.number_of_faces(); ++f)
-    for (const int v : map.face(f)) star[next[v]++] = int(f);
-
+  const internal::Vertex_faces star(p.size(), map.faces());
   const auto area = [&](int f) {
     const Triangle& t = map.face(f);
-    return internal::signed_area(atlas, p[t[0]], p[t[1]], p[t[2]]);
+    return atlas.signed_area(p[t[0]], p[t[1]], p[t[2]]);
   };
-  const auto is_fixed = [&](std::size_t v) {
-    if constexpr (Atlas::is_closed)
-      return map.is_virtual_vertex(v);
-    else
-      return map.is_virtual_vertex(v) || p[v].minCoeff() <= 0 || p[v].maxCoeff() >= 1;
-  };
+  const auto is_fixed = [&](std::size_t v) { return map.is_virtual_vertex(v) || atlas.is_on_border(p[v]); };
 
   std::vector<double> before;
   for (std::size_t v = 0; v < p.size(); ++v) {
@@ -74,20 +62,20 @@ Manifold_map<Atlas> correct_parameters(const Manifold_map<Atlas>& map, const Sur
     const Chart_point end = internal::approach<1>(surface, start, map.point(v), 4).at;
     if (end.chart != start.chart) continue;
     before.clear();
-    for (std::size_t k = begin[v]; k < begin[v + 1]; ++k) before.push_back(area(star[k]));
+    for (const int* f = star.begin(v); f != star.end(v); ++f) before.push_back(area(*f));
     const Domain_point old = p[v];
     bool is_good = false;
     for (double share = 1; share >= 0.125 && !is_good; share /= 2) {
       const Eigen::Vector2d uv = start.uv + share * (end.uv - start.uv);
       p[v] = atlas.canonical(atlas.point(Chart_point{start.chart, uv}));
       is_good = true;
-      for (std::size_t k = begin[v]; k < begin[v + 1] && is_good; ++k)
-        is_good = area(star[k]) >= 0.1 * before[k - begin[v]];
+      auto b = before.begin();
+      for (const int* f = star.begin(v); f != star.end(v) && is_good; ++f) is_good = area(*f) >= 0.1 * *b++;
     }
     if (!is_good) p[v] = old;
   }
   return Manifold_map<Atlas>(map.points(), map.faces(), std::move(p), map.number_of_input_vertices(),
-                             map.number_of_virtual_faces(), map.input_indices());
+                             map.number_of_virtual_faces(), map.input_indices(), atlas);
 }
 
 /// \ingroup PkgSimpleManifoldsEmbedding

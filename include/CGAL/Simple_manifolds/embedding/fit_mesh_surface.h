@@ -22,13 +22,21 @@
 namespace CGAL {
 namespace Simple_manifolds {
 
+namespace internal {
+
+template <class Bump, class ChartEmbedding>
+struct Surface_over {
+  template <class Atlas>
+  using Type = Manifold_surface<Atlas, ChartEmbedding, Bump>;
+};
+
+} // namespace internal
+
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///
 /// A surface over whichever canonical surface.
-template <class Bump = Smoothstep_bump<2>>
-using Any_surface = std::variant<Manifold_surface<Plane_atlas, Hierarchical_embedding, Bump>,
-                                 Manifold_surface<Sphere_atlas, Hierarchical_embedding, Bump>,
-                                 Manifold_surface<Torus_atlas, Hierarchical_embedding, Bump>>;
+template <class Bump = Smoothstep_bump<2>, class ChartEmbedding = Hierarchical_embedding>
+using Any_surface = Canonical_surfaces::Variant<internal::Surface_over<Bump, ChartEmbedding>::template Type>;
 
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///

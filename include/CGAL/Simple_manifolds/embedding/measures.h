@@ -55,7 +55,7 @@ public:
   Integral operator()(double relative_error) const
   {
     std::vector<Cell> cells;
-    for (int tile = 0; tile < Atlas::number_of_charts; ++tile)
+    for (int tile = 0; tile < surface_.atlas().number_of_charts(); ++tile)
       for (int i = 0; i < first_cells; ++i)
         for (int j = 0; j < first_cells; ++j) cells.push_back({tile, i, j, 1. / first_cells, 0, {}});
     for (Cell& c : cells) c.coarse = rule(c.tile, c.i, c.j, c.size);
@@ -153,25 +153,8 @@ private:
   {
     const Domain_point p = surface_.atlas().tile_point(tile, s, t);
     const auto chart = surface_.atlas().chart(surface_.atlas().best_chart(p)).jet_at(p);
-    return density_(surface_.template jet<Order>(p)) * tile_area_element(s, t) / area_element(chart);
-  }
-
-  // area of the domain per area of the chart, and of the tile
-  static double area_element(const Basic_jet<Eigen::Vector3d>& p) { return p.u.cross(p.v).norm(); }
-  static double area_element(const Basic_jet<Eigen::Vector2d>& p)
-  {
-    return p.u.x() * p.v.y() - p.u.y() * p.v.x();
-  }
-  static double tile_area_element(double s, double t)
-  {
-    if constexpr (Domain_point::RowsAtCompileTime == 3) { // a face of the cube with equal angles
-      constexpr double quarter_pi = 0.785398163397448310;
-      const double x = std::tan(quarter_pi * (2 * s - 1)), y = std::tan(quarter_pi * (2 * t - 1));
-      const double r2 = 1 + x * x + y * y;
-      return 4 * quarter_pi * quarter_pi * (1 + x * x) * (1 + y * y) / (r2 * std::sqrt(r2));
-    } else {
-      return Atlas::area / Atlas::number_of_charts;
-    }
+    return density_(surface_.template jet<Order>(p)) * surface_.atlas().tile_area_element(tile, s, t) /
+           surface_.atlas().area_element(chart);
   }
 
   const Surface& surface_;
@@ -243,8 +226,9 @@ Integral volume(const Surface& surface, const NamedParameters& np = parameters::
   static_assert(Atlas::is_closed, "a surface with a border has no inside");
   // relative to a point in the middle, so that a body far from the origin keeps its digits
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (int tile = 0; tile < Atlas::number_of_charts; ++tile)
-    middle += surface.point(surface.atlas().tile_point(tile, 0.5, 0.5)) / Atlas::number_of_charts;
+  const int tiles = surface.atlas().number_of_charts();
+  for (int tile = 0; tile < tiles; ++tile)
+    middle += surface.point(surface.atlas().tile_point(tile, 0.5, 0.5)) / tiles;
   return internal::integrate_density<ConcurrencyTag, 1>(
     surface, [&middle](const Jet& e) { return (e.value - middle).dot(e.u.cross(e.v)) / 3; }, np);
 }

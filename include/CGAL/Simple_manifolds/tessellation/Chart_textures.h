@@ -66,8 +66,8 @@ public:
     : partition_(bump, atlas), resolution_(resolution)
   {
     CGAL_precondition(resolution >= 2);
-    values_.reserve(number_of_texels(resolution) * channels);
-    for (int c = 0; c < Atlas::number_of_charts; ++c)
+    values_.reserve(std::size_t(atlas.number_of_charts()) * resolution * resolution * channels);
+    for (int c = 0; c < atlas.number_of_charts(); ++c)
       for (int i = 0; i < resolution; ++i)
         for (int j = 0; j < resolution; ++j) {
           Value x;
@@ -94,7 +94,7 @@ public:
   /// \pre c is a chart, i and j in [0,n)
   Value texel(int c, int i, int j) const
   {
-    CGAL_precondition(0 <= c && c < Atlas::number_of_charts);
+    CGAL_precondition(0 <= c && c < atlas().number_of_charts());
     CGAL_precondition(0 <= i && i < resolution_ && 0 <= j && j < resolution_);
     const std::size_t n = std::size_t(resolution_);
     return Eigen::Map<const Eigen::Matrix<float, channels, 1>>(&values_[((c * n + i) * n + j) * channels])
@@ -121,11 +121,6 @@ public:
   }
 
 private:
-  static std::size_t number_of_texels(int resolution)
-  {
-    return std::size_t(Atlas::number_of_charts) * resolution * resolution;
-  }
-
   Partition_of_unity<Atlas, Bump_> partition_;
   int resolution_;
   std::vector<float> values_;

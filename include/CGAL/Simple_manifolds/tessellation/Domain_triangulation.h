@@ -10,7 +10,6 @@
 
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
 
 #include <CGAL/assertions.h>
@@ -48,7 +47,7 @@ namespace Simple_manifolds {
 ///
 /// All faces are positive in the sense of `Atlas::orientation()`, which is exact.
 ///
-/// \tparam Atlas_  `Plane_atlas`, `Sphere_atlas` or `Torus_atlas`
+/// \tparam Atlas_  a model of `ManifoldAtlas`
 template <class Atlas_>
 class Domain_triangulation {
 public:
@@ -61,8 +60,8 @@ public:
 
   /// The cells of a grid, each cut along the shorter diagonal; of two equal ones, along that from its first
   /// vertex.
-  explicit Domain_triangulation(const Tile_grid<Atlas>& grid, const Atlas& atlas = Atlas())
-    : atlas_(atlas), domain_points_(grid.domain_points()), chart_points_(grid.chart_points()),
+  explicit Domain_triangulation(const Tile_grid<Atlas>& grid)
+    : atlas_(grid.atlas()), domain_points_(grid.domain_points()), chart_points_(grid.chart_points()),
       midpoints_(domain_points_.size())
   {
     const std::size_t cells_per_tile = std::size_t(grid.subdivisions()) * grid.subdivisions();
@@ -261,7 +260,7 @@ private:
   bool is_shorter(int a, int b, int c, int d) const
   {
     const auto squared_length = [this](int a, int b) {
-      return internal::squared_distance(atlas_, domain_points_[a], domain_points_[b]);
+      return atlas_.squared_distance(domain_points_[a], domain_points_[b]);
     };
     return squared_length(a, b) < (1 - 1e-6) * squared_length(c, d);
   }
@@ -270,7 +269,7 @@ private:
   void add_chart_points()
   {
     const std::size_t known = chart_points_.size();
-    chart_points_.resize(domain_points_.size(), {Atlas::number_of_charts, {}});
+    chart_points_.resize(domain_points_.size(), {atlas_.number_of_charts(), {}});
     for (std::size_t f = 0; f < triangles_.size(); ++f)
       for (const int v : triangles_[f])
         if (std::size_t(v) >= known)

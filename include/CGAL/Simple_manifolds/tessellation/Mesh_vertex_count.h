@@ -8,7 +8,6 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_TESSELLATION_MESH_VERTEX_COUNT_H
 #define CGAL_SIMPLE_MANIFOLDS_TESSELLATION_MESH_VERTEX_COUNT_H
 
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/domain_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/location/Point_locator.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 #include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
@@ -25,31 +24,6 @@
 
 namespace CGAL {
 namespace Simple_manifolds {
-
-namespace internal {
-
-// The side of the edge p q to which an infinitesimal step leads from a point x of it: by e along the first
-// axis, e^2 along the second (and e^3 along the third). All signs are exact.
-
-inline int side_of_step(const Sphere_atlas& atlas, const Eigen::Vector3d& p, const Eigen::Vector3d& q,
-                        const Eigen::Vector3d&)
-{
-  int side = 0;
-  for (int k = 0; k < 3 && side == 0; ++k) side = atlas.orientation(p, q, Eigen::Vector3d::Unit(k));
-  return side;
-}
-
-template <class Atlas>
-int side_of_step(const Atlas& atlas, const Eigen::Vector2d& p, const Eigen::Vector2d& q,
-                 const Eigen::Vector2d& x)
-{
-  const Eigen::Vector2d d = flat_edges(atlas, p, q, q).first;
-  const double side = d.y() != 0 ? (x.x() < 1 ? -d.y() : d.y()) // back from the far sides of the square
-                                 : (x.y() < 1 ? d.x() : -d.x());
-  return side < 0 ? -1 : 1;
-}
-
-} // namespace internal
 
 /// \ingroup PkgSimpleManifoldsTessellation
 ///
@@ -82,7 +56,8 @@ public:
   {
     const internal::Triangle_soup soup(t.number_of_vertices(), t.triangles());
     const std::vector<int> opposite = internal::opposite_half_edges(soup);
-    const internal::Point_locator<typename Map::Atlas> locator(t.domain_points(), t.triangles(), opposite);
+    const internal::Point_locator<typename Map::Atlas> locator(t.atlas(), t.domain_points(), t.triangles(),
+                                                               opposite);
     std::vector<int> count(t.number_of_faces(), 0);
     int hint = -1;
     for (std::size_t v = 0; v < map_->number_of_vertices(); ++v) {
@@ -108,7 +83,7 @@ private:
       const Domain_point &p = t.domain_points()[t.triangles()[f][k]],
                          &q = t.domain_points()[t.triangles()[f][(k + 1) % 3]];
       const int sign = t.atlas().orientation(p, q, x);
-      if (sign < 0 || (sign == 0 && internal::side_of_step(t.atlas(), p, q, x) < 0)) return k;
+      if (sign < 0 || (sign == 0 && t.atlas().side_of_step(p, q, x) < 0)) return k;
     }
     return -1;
   }

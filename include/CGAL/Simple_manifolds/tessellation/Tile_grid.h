@@ -16,12 +16,24 @@
 #include <array>
 #include <map>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 /// \file
 
 namespace CGAL {
 namespace Simple_manifolds {
+
+namespace internal {
+
+// Whether an atlas has tiles with the borders of the paper.
+template <class Atlas, class = void>
+inline constexpr bool has_averaged_tiles = false;
+template <class Atlas>
+inline constexpr bool
+  has_averaged_tiles<Atlas, std::void_t<decltype(std::declval<const Atlas&>().averaged_tile(0, 1))>> = true;
+
+} // namespace internal
 
 /// \ingroup PkgSimpleManifoldsTessellation
 ///
@@ -31,7 +43,7 @@ namespace Simple_manifolds {
 ///
 /// It knows nothing of an embedding: one grid serves all surfaces of its genus, vertex by vertex.
 ///
-/// \tparam Atlas_  `Plane_atlas`, `Sphere_atlas` or `Torus_atlas`
+/// \tparam Atlas_  a model of `ManifoldAtlas`
 template <class Atlas_>
 class Tile_grid {
 public:
@@ -43,25 +55,20 @@ public:
   /// \param n  the number of cells per side of a tile
   /// \param borders  where the tiles of the sphere meet
   /// \pre n >= 1
-  explicit Tile_grid(int n, Tile_borders borders, const Atlas& atlas = Atlas()) : n_(n)
+  explicit Tile_grid(int n, Tile_borders borders, const Atlas& atlas = Atlas()) : atlas_(atlas), n_(n)
   {
     CGAL_precondition(n >= 1);
-    cells_.reserve(std::size_t(Atlas::number_of_charts) * n * n);
-    for (int tile = 0; tile < Atlas::number_of_charts; ++tile)
-      if constexpr (std::is_same_v<Atlas, Sphere_atlas>) {
-        if (borders == Tile_borders::AVERAGED)
-          add(atlas, tile, internal::Averaged_tile(atlas, tile, n));
-        else
-          add(atlas, tile, internal::Exact_tile<Atlas>(atlas, tile, n));
-      } else {
-        add(atlas, tile, internal::Exact_tile<Atlas>(atlas, tile, n));
-      }
+    cells_.reserve(std::size_t(atlas.number_of_charts()) * n * n);
+    for (int tile = 0; tile < atlas.number_of_charts(); ++tile)
+      add(atlas, tile, points_of_tile(atlas, tile, n, borders));
     on_sides_.clear();
   }
 
   /// The same with `Tile_borders::EXACT`.
   explicit Tile_grid(int n, const Atlas& atlas = Atlas()) : Tile_grid(n, Tile_borders::EXACT, atlas) {}
 
+  /// The atlas of the domain.
+  const Atlas& atlas() const { return atlas_; }
   /// The number of cells per side of a tile.
   int subdivisions() const { return n_; }
   /// All vertices.
@@ -74,10 +81,10 @@ public:
   const std::vector<Cell>& cells() const { return cells_; }
 
   /// A number of cells per side that makes about `cells` cells on the whole surface.
-  static int subdivisions_for(double cells)
+  static int subdivisions_for(double cells, const Atlas& atlas = Atlas())
   {
     int n = 1;
-    while (double(n) * n * Atlas::number_of_charts < cells) ++n;
+    while (double(n) * n * atlas.number_of_charts() < cells) ++n;
     return n;
   }
 
@@ -92,15 +99,26 @@ private:
     return k;
   }
 
-  template <class Tile>
-  void add(const Atlas& atlas, int tile, const Tile& points)
+  // The points (i,j) in the order i (n+1) + j.
+  static std::vector<Domain_point> points_of_tile(const Atlas& atlas, int tile, int n,
+                                                  [[maybe_unused]] Tile_borders borders)
+  {
+    if constexpr (internal::has_averaged_tiles<Atlas>)
+      if (borders == Tile_borders::AVERAGED) return atlas.averaged_tile(tile, n);
+    std::vector<Domain_point> points;
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j) points.push_back(atlas.tile_point(tile, double(i) / n, double(j) / n));
+    return points;
+  }
+
+  void add(const Atlas& atlas, int tile, const std::vector<Domain_point>& points)
   {
     const int n = n_;
     std::vector<int> vertex(std::size_t(n + 1) * (n + 1));
     for (int i = 0; i <= n; ++i)
       for (int j = 0; j <= n; ++j) {
         const bool is_on_side = i == 0 || j == 0 || i == n || j == n;
-        vertex[i * (n + 1) + j] = find_or_add(atlas, tile, points.point(i, j), is_on_side);
+        vertex[i * (n + 1) + j] = find_or_add(atlas, tile, points[i * (n + 1) + j], is_on_side);
       }
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
@@ -121,6 +139,7 @@ private:
     return next;
   }
 
+  Atlas atlas_;
   int n_;
   std::vector<Domain_point> domain_points_;
   std::vector<Chart_point> chart_points_;

@@ -10,7 +10,6 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -28,20 +27,17 @@ namespace Simple_manifolds {
 ///
 /// \param n     the number of points; the first n of a longer sequence are the same
 /// \param seed  of the generator
+/// \param atlas the canonical surface
 template <class Atlas>
-std::vector<typename Atlas::Domain_point> random_domain_points(std::size_t n, std::uint64_t seed = 0)
+std::vector<typename Atlas::Domain_point> random_domain_points(std::size_t n, std::uint64_t seed = 0,
+                                                               const Atlas& atlas = Atlas())
 {
   std::mt19937_64 generator(seed);
   const auto uniform = [&] { return double(generator() >> 11) * 0x1p-53; }; // in [0,1)
   std::vector<typename Atlas::Domain_point> points(n);
   for (auto& p : points) {
     const double a = uniform(), b = uniform();
-    if constexpr (Atlas::Domain_point::RowsAtCompileTime == 3) {
-      const double z = 2 * a - 1, r = std::sqrt(1 - z * z), phi = 6.283185307179586 * b; // Archimedes
-      p = typename Atlas::Domain_point(r * std::cos(phi), r * std::sin(phi), z).normalized();
-    } else {
-      p = typename Atlas::Domain_point(a, b);
-    }
+    p = atlas.equal_area_point(a, b);
   }
   return points;
 }

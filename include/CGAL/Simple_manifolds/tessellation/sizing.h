@@ -46,7 +46,7 @@ double surface_diagonal(const Surface& surface)
 {
   using Grid = Tile_grid<typename Surface::Atlas>;
   std::vector<Eigen::Vector3d> points;
-  const Grid grid(Grid::subdivisions_for(6000), surface.atlas());
+  const Grid grid(Grid::subdivisions_for(6000, surface.atlas()), surface.atlas());
   surface.points(grid.domain_points(), std::back_inserter(points));
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& x : points) box.extend(x);

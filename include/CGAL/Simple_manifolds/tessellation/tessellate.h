@@ -112,7 +112,7 @@ Tile_grid<typename Surface::Atlas> tile_grid(const Surface& surface, const Named
                                              double cells = 6000)
 {
   using Grid = Tile_grid<typename Surface::Atlas>;
-  return Grid(parameter(np, internal_np::subdivisions, Grid::subdivisions_for(cells)),
+  return Grid(parameter(np, internal_np::subdivisions, Grid::subdivisions_for(cells, surface.atlas())),
               parameter(np, internal_np::tile_borders, Tile_borders::EXACT), surface.atlas());
 }
 

@@ -8,7 +8,6 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_PAPER_MAP_CHART_CORRESPONDENCE_H
 #define CGAL_SIMPLE_MANIFOLDS_PAPER_MAP_CHART_CORRESPONDENCE_H
 
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
 #include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
 #include <CGAL/Simple_manifolds/paper/map/Triangle_bins.h>
 
@@ -16,6 +15,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -51,19 +52,17 @@ public:
   explicit Chart_correspondence(const Map& map) : map_(map)
   {
     const int n = static_cast<int>(map.number_of_faces());
-    std::vector<std::vector<Triangle_bins::Plane_triangle>> triangles(Atlas::number_of_charts);
-    faces_.resize(Atlas::number_of_charts);
+    std::vector<std::vector<Triangle_bins::Plane_triangle>> triangles(map.atlas().number_of_charts());
+    faces_.resize(triangles.size());
     for (int f = 0; f < n; ++f) {
       const Triangle& t = map.face(f);
-      const internal::Chart_mask mask = internal::charts_of_face(
-        map.atlas(), map.domain_point(t[0]), map.domain_point(t[1]), map.domain_point(t[2]));
-      masks_.push_back(mask);
+      const std::array<Domain_point, 2> others = {{map.domain_point(t[1]), map.domain_point(t[2])}};
+      charts_.push_back(map.atlas().charts_of_star(map.domain_point(t[0]), others));
       default_chart_.push_back(map.chart(f));
-      for (int c = 0; c < Atlas::number_of_charts; ++c)
-        if (mask >> c & 1) {
-          faces_[c].push_back(f);
-          triangles[c].push_back(triangle(c, f));
-        }
+      for (const int c : charts_.back()) {
+        faces_[c].push_back(f);
+        triangles[c].push_back(triangle(c, f));
+      }
     }
     for (auto& t : triangles) bins_.emplace_back(std::move(t));
   }
@@ -75,7 +74,7 @@ public:
   /// \pre it is one of the atlas
   const std::vector<int>& faces(int chart) const
   {
-    CGAL_precondition(0 <= chart && chart < Atlas::number_of_charts);
+    CGAL_precondition(is_chart(chart));
     return faces_[chart];
   }
   /// The chart that decides where a face goes, -1: none.
@@ -90,7 +89,7 @@ public:
   /// \pre it is a chart of the atlas, and `uv` is in the closed unit square
   std::optional<Location> to_mesh(int chart, const Eigen::Vector2d& uv) const
   {
-    CGAL_precondition(0 <= chart && chart < Atlas::number_of_charts);
+    CGAL_precondition(is_chart(chart));
     const Triangle_bins::Hit hit = bins_[chart].find(uv);
     if (hit.triangle == -1) return std::nullopt;
     Location location;
@@ -104,9 +103,10 @@ public:
   /// \pre they are a chart of the atlas and a face of the map
   std::optional<Eigen::Vector2d> to_chart(int chart, const Location& location) const
   {
-    CGAL_precondition(0 <= chart && chart < Atlas::number_of_charts);
-    CGAL_precondition(0 <= location.face && location.face < static_cast<int>(masks_.size()));
-    if ((masks_[location.face] >> chart & 1) == 0) return std::nullopt;
+    CGAL_precondition(is_chart(chart));
+    CGAL_precondition(0 <= location.face && location.face < static_cast<int>(charts_.size()));
+    const auto& charts = charts_[location.face];
+    if (std::find(charts.begin(), charts.end(), chart) == charts.end()) return std::nullopt;
     const Triangle_bins::Plane_triangle t = triangle(chart, location.face);
     const Eigen::Vector3d& b = location.barycentric;
     return Eigen::Vector2d(b[0] * t[0] + b[1] * t[1] + b[2] * t[2]);
@@ -152,11 +152,12 @@ public:
       location.barycentric[k] = location.barycentric[(k + 1) % 3] = 0.5;
       return to_domain(location);
     };
-    return std::sqrt(
-      internal::squared_distance(map_.atlas(), middle(face, corner), middle(other_face, other_corner)));
+    return std::sqrt(map_.atlas().squared_distance(middle(face, corner), middle(other_face, other_corner)));
   }
 
 private:
+  bool is_chart(int c) const { return 0 <= c && c < map_.atlas().number_of_charts(); }
+
   Triangle_bins::Plane_triangle triangle(int chart, int face) const
   {
     Triangle_bins::Plane_triangle t;
@@ -165,7 +166,7 @@ private:
   }
 
   const Map& map_;
-  std::vector<internal::Chart_mask> masks_; // per face
+  std::vector<typename Atlas::Chart_numbers> charts_; // per face
   std::vector<int> default_chart_;
   std::vector<std::vector<int>> faces_; // per chart
   std::vector<Triangle_bins> bins_;

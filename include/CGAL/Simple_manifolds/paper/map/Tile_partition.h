@@ -93,8 +93,8 @@ Tile_partition<FaceGraph> tile_partition(const Atlas& atlas, const FaceGraph& me
     return static_cast<std::size_t>(p - corners.begin());
   };
   Tile_partition<FaceGraph> partition;
-  partition.sides.resize(Atlas::number_of_charts);
-  for (int c = 0; c < Atlas::number_of_charts; ++c)
+  partition.sides.resize(atlas.number_of_charts());
+  for (int c = 0; c < atlas.number_of_charts(); ++c)
     for (int k = 0; k < 4; ++k) {
       partition.sides[c][k] = network.path(mesh, corner(c, k), corner(c, (k + 1) % 4));
       CGAL_precondition(!partition.sides[c][k].empty());

@@ -63,7 +63,7 @@ void adjust_centroids(const Atlas& atlas, const FaceGraph& mesh, DomainPointMap 
       for (const auto w : CGAL::vertices_around_target(halfedge(v, mesh), mesh))
         ring.push_back(get(domain_point, w));
       const Point p = get(domain_point, v);
-      const internal::Domain_plane<Atlas> plane(p);
+      const internal::Domain_plane<Atlas> plane(atlas, p);
       Point target = plane.centroid(ring);
       if (is_star_positive(p)) {
         constexpr int most_halvings = 4;

@@ -15,7 +15,6 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -29,16 +28,16 @@ namespace Simple_manifolds {
 ///
 /// The number of faces in each tile, by their centroids.
 template <class Atlas, class FaceGraph, class DomainPointMap>
-std::array<std::size_t, Atlas::number_of_charts> faces_per_tile(const Atlas& atlas, const FaceGraph& mesh,
-                                                                DomainPointMap domain_point)
+std::vector<std::size_t> faces_per_tile(const Atlas& atlas, const FaceGraph& mesh,
+                                        DomainPointMap domain_point)
 {
-  std::array<std::size_t, Atlas::number_of_charts> count{};
+  std::vector<std::size_t> count(atlas.number_of_charts(), 0);
   std::vector<typename Atlas::Domain_point> corners(3);
   for (const auto f : faces(mesh)) {
     const auto h = halfedge(f, mesh);
     corners = {get(domain_point, source(h, mesh)), get(domain_point, target(h, mesh)),
                get(domain_point, target(next(h, mesh), mesh))};
-    ++count[atlas.tile(internal::Domain_plane<Atlas>(corners[0]).centroid(corners))];
+    ++count[atlas.tile(internal::Domain_plane<Atlas>(atlas, corners[0]).centroid(corners))];
   }
   return count;
 }
@@ -68,7 +67,7 @@ Equalization_report equalize_tiles(const Atlas& atlas, const FaceGraph& mesh, Do
 {
   constexpr int most_rounds = 20, centroid_iterations = 30;
   constexpr double deviation_limit = 0.2;
-  constexpr int n = Atlas::number_of_charts;
+  const int n = atlas.number_of_charts();
   const double mean = double(num_faces(mesh)) / n;
   const auto deviation = [&] {
     double largest = 0;

@@ -124,7 +124,6 @@ private:
   // With at most `number_of_vertices` of the input's vertices, or with all of the subdivided mesh.
   void attempt(int number_of_vertices)
   {
-    const Atlas atlas;
     Working_mesh mesh = working_mesh(points_, triangles_);
     std::vector<Removed_vertex> removed;
     std::vector<int> index;
@@ -136,12 +135,9 @@ private:
     const auto domain_point = CGAL::make_property_map(points);
     const Drawing drawing{*this, mesh, tile};
     Tile_partition<Working_mesh> partition;
-    if constexpr (Atlas::genus == 0)
-      partition = sphere_partition(mesh, tile);
-    else
-      partition = torus_partition(mesh, tile);
-    project_tiles(atlas, mesh, partition, tile, domain_point, weights_);
-    report_.equalization = equalize_tiles(atlas, mesh, domain_point, weights_);
+    partition = partition_of_closed_mesh(atlas_, mesh, tile);
+    project_tiles(atlas_, mesh, partition, tile, domain_point, weights_);
+    report_.equalization = equalize_tiles(atlas_, mesh, domain_point, weights_);
 
     if (removed.empty()) {
       domain_points_ = std::move(points);
@@ -149,8 +145,8 @@ private:
     }
     domain_points_.resize(points_.size());
     for (std::size_t v = 0; v < points.size(); ++v) domain_points_[index[v]] = points[v];
-    put_back(atlas, removed, domain_points_);
-    adjust_centroids(atlas, working_mesh(points_, triangles_), CGAL::make_property_map(domain_points_), 10);
+    put_back(atlas_, removed, domain_points_);
+    adjust_centroids(atlas_, working_mesh(points_, triangles_), CGAL::make_property_map(domain_points_), 10);
   }
 
   // Keeps the tiles of the mesh for the report, whatever happens.
@@ -183,7 +179,7 @@ private:
   {
     if (report_.subdivisions == 0) return;
     const auto is_positive = [&](const Triangle& t) {
-      return is_face_positive(Atlas(), domain_points_[t[0]], domain_points_[t[1]], domain_points_[t[2]]);
+      return is_face_positive(atlas_, domain_points_[t[0]], domain_points_[t[1]], domain_points_[t[2]]);
     };
     if (!std::all_of(arrays_.triangles.begin(), arrays_.triangles.end(), is_positive)) {
       const std::size_t parts = triangles_.size() / arrays_.triangles.size(); // of each face, side by side
@@ -229,10 +225,11 @@ private:
         corner_vertices.push_back(v);
     }
     domain_points_.resize(points_.size());
-    project_tiles(Atlas(), mesh, plane_partition(mesh, border, corner_vertices), tile,
+    project_tiles(atlas_, mesh, plane_partition(mesh, border, corner_vertices), tile,
                   CGAL::make_property_map(domain_points_), weights_);
   }
 
+  Atlas atlas_;
   const Mesh_arrays& arrays_;
   std::vector<Eigen::Vector3d> points_;
   std::vector<Triangle> triangles_;
@@ -254,16 +251,9 @@ Any_map map_by_partition(const Mesh_arrays& arrays, const NamedParameters& np)
   const Projection_weights weights =
     parameter(np, internal_np::projection_weights, Projection_weights::CENTROID);
 
-  if (!arrays.topology.is_closed()) {
-    require_disk(arrays.topology);
-    return Partition_mapper<Plane_atlas>(arrays, weights, report).run(visitor);
-  }
-  if (arrays.topology.genus == 0) {
-    require_closed_genus(arrays.topology, 0);
-    return Partition_mapper<Sphere_atlas>(arrays, weights, report).run(visitor);
-  }
-  require_closed_genus(arrays.topology, 1);
-  return Partition_mapper<Torus_atlas>(arrays, weights, report).run(visitor);
+  return with_canonical_surface(arrays.topology, [&](auto type) -> Any_map {
+    return Partition_mapper<typename decltype(type)::Atlas>(arrays, weights, report).run(visitor);
+  });
 }
 
 } // namespace internal

@@ -62,7 +62,7 @@ std::size_t project_in_domain(const Domain_plane<Atlas>& plane, const FaceGraph&
 template <class Atlas>
 Domain_plane<Atlas> plane_of_tile(const Atlas& atlas, int c)
 {
-  return Domain_plane<Atlas>(atlas.tile_point(c, 0.5, 0.5));
+  return Domain_plane<Atlas>(atlas, atlas.tile_point(c, 0.5, 0.5));
 }
 
 } // namespace internal
@@ -84,13 +84,13 @@ void project_tiles(const Atlas& atlas, const FaceGraph& mesh, const Tile_partiti
                    FaceTileMap tile, DomainPointMap domain_point,
                    Projection_weights weights = Projection_weights::CENTROID)
 {
-  for (int c = 0; c < Atlas::number_of_charts; ++c)
+  for (int c = 0; c < atlas.number_of_charts(); ++c)
     for (int k = 0; k < 4; ++k) {
       const auto& side = partition.sides[c][k];
       for (std::size_t i = 0; i < side.size(); ++i)
         put(domain_point, source(side[i], mesh), internal::side_point(atlas, c, k, i, side.size()));
     }
-  for (int c = 0; c < Atlas::number_of_charts; ++c) {
+  for (int c = 0; c < atlas.number_of_charts(); ++c) {
     Face_filtered_graph<FaceGraph> disk(mesh, c, tile);
     const std::size_t flips =
       internal::project_in_domain(internal::plane_of_tile(atlas, c), mesh, disk, domain_point, weights);

@@ -107,6 +107,17 @@ Tile_partition<FaceGraph> sphere_partition(const FaceGraph& mesh, FaceTileMap ti
   return partition;
 }
 
+namespace internal {
+
+template <class FaceGraph, class FaceTileMap>
+Tile_partition<FaceGraph> partition_of_closed_mesh(const Sphere_atlas&, const FaceGraph& mesh,
+                                                   FaceTileMap tile)
+{
+  return sphere_partition(mesh, tile);
+}
+
+} // namespace internal
+
 } // namespace Simple_manifolds
 } // namespace CGAL
 

@@ -152,6 +152,17 @@ Tile_partition<FaceGraph> torus_partition(const FaceGraph& mesh, FaceTileMap til
   return torus_partition(mesh, short_non_contractible_loop(mesh), tile);
 }
 
+namespace internal {
+
+template <class FaceGraph, class FaceTileMap>
+Tile_partition<FaceGraph> partition_of_closed_mesh(const Torus_atlas&, const FaceGraph& mesh,
+                                                   FaceTileMap tile)
+{
+  return torus_partition(mesh, tile);
+}
+
+} // namespace internal
+
 } // namespace Simple_manifolds
 } // namespace CGAL
 

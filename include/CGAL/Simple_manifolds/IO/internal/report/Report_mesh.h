@@ -15,6 +15,7 @@
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
+#include <CGAL/Simple_manifolds/atlas/default_chart.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
@@ -57,8 +58,8 @@ Face_distortions face_distortions(const Map& map)
     const auto &a = map.domain_point(t[0]), &b = map.domain_point(t[1]), &c = map.domain_point(t[2]);
     const Eigen::Vector3d e0 = map.point(t[1]) - map.point(t[0]), e1 = map.point(t[2]) - map.point(t[0]);
     area[f] = e0.cross(e1).norm() / 2;
-    domain_area[f] = signed_area(map.atlas(), a, b, c);
-    const auto flat = flat_edges(map.atlas(), a, b, c);
+    domain_area[f] = map.atlas().signed_area(a, b, c);
+    const auto flat = map.atlas().flat_edges(a, b, c);
     const Eigen::Matrix2d to_domain = flatten(flat.first, flat.second) * flatten(e0, e1).inverse();
     const auto [s1, s2] = singular_values(root * to_domain);
     d.angle.push_back(area[f] > 0 ? s1 / s2 : std::numeric_limits<double>::quiet_NaN());

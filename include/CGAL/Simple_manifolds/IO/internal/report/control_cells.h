@@ -86,9 +86,9 @@ std::vector<Eigen::Vector3d> control_cells(const Surface& surface, std::vector<i
 {
   std::vector<Eigen::Vector3d> corners;
   const auto& atlas = surface.atlas();
-  for (int c = 0; c < atlas.number_of_charts; ++c) {
+  for (int c = 0; c < atlas.number_of_charts(); ++c) {
     const auto is_in_tile = [&](const Eigen::Vector2d& uv) {
-      if (atlas.number_of_charts == 1) return true;
+      if (Surface::Atlas::has_single_chart) return true;
       return is_in_open_unit_square(uv) && atlas.tile(atlas.point(Chart_point{c, uv})) == c;
     };
     const auto add = [&](const Chart_box& box, const auto& control, int degree) {

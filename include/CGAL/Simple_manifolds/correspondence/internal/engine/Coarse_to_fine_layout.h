@@ -11,7 +11,7 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Collapse_hierarchy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Distortion_energy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Star.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/engine/Star_kernel.h>
+#include <CGAL/Simple_manifolds/internal/Star_kernel.h>
 
 #include <algorithm>
 #include <atomic>

@@ -9,7 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_FLAT_GEOMETRY_H
 
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Star.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/engine/Star_kernel.h>
+#include <CGAL/Simple_manifolds/internal/Star_kernel.h>
 
 #include <algorithm>
 #include <cmath>

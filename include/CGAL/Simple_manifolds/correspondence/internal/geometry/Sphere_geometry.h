@@ -8,10 +8,10 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_SPHERE_GEOMETRY_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_SPHERE_GEOMETRY_H
 
+#include <CGAL/Simple_manifolds/atlas/Gnomonic_chart.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Collapse_hierarchy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Distortion_energy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Star.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/engine/Star_kernel.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -30,7 +30,7 @@ public:
   using Point = Eigen::Vector3d;
   using Neighbour = int;
   using Star = internal::Star<Sphere_geometry>;
-  using Frame = Eigen::Matrix<double, 3, 2>; // an orthonormal basis of a tangent plane
+  using Frame = Gnomonic_chart::Frame;
   static constexpr double total_area = 4 * 3.14159265358979323846;
   static constexpr int minimum_vertices = 4;
 
@@ -143,39 +143,11 @@ public:
   Eigen::Vector2d side_direction(int) const { return Eigen::Vector2d(1, 0); } // there are no sides
   void set_position(int v, const Point& p) { position_[v] = p; }
 
-  // Gnomonic coordinates: great circles are straight lines.
-  struct Chart {
-    Point origin;
-    Frame frame;
-    double bound;
-    Half_plane half_plane(const Point& a, const Point& b) const
-    {
-      const Point da = a - origin, db = b - origin, cross = da.cross(db);
-      const Point n = origin.cross(db - da) + cross;
-      return {origin.dot(cross), frame.transpose() * n};
-    }
-    Point point(const Eigen::Vector2d& x) const { return (origin + frame * x).normalized(); }
-    Eigen::Vector2d direction_to(const Point&) const { return Eigen::Vector2d(0, 0); }
-  };
-  static Chart chart(const Point& origin, const std::vector<Point>& ring)
-  {
-    Chart c{origin, tangent_frame(origin), 0};
-    for (const Point& r : ring) {
-      const double height = r.dot(c.origin);
-      const double distance = height > 0.2 ? (c.frame.transpose() * r).norm() / height : 5;
-      c.bound = (std::max)(c.bound, (std::min)(distance, 5.));
-    }
-    return c;
-  }
+  using Chart = Gnomonic_chart;
+  static Chart chart(const Point& origin, const std::vector<Point>& ring) { return Chart(origin, ring); }
 
 private:
-  static Frame tangent_frame(const Point& p)
-  {
-    Frame frame;
-    frame.col(0) = p.unitOrthogonal();
-    frame.col(1) = p.cross(frame.col(0));
-    return frame;
-  }
+  static Frame tangent_frame(const Point& p) { return Chart::tangent_frame(p); }
 
   std::vector<Point> position_;
 };

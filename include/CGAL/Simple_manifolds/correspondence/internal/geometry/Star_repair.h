@@ -9,9 +9,6 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_STAR_REPAIR_H
 
 #include <CGAL/Simple_manifolds/correspondence/criteria.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/engine/Star_kernel.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/Sphere_geometry.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/lifts.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/Splittable_mesh.h>
 
 #include <Eigen/Core>
@@ -26,25 +23,23 @@ namespace Simple_manifolds {
 namespace internal {
 
 // Whether a face is what a certificate wants.
-inline bool is_positive_face(const Sphere_atlas& atlas, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                             const Eigen::Vector3d& c)
+template <class Atlas, class Point>
+bool is_positive_face(const Atlas& atlas, const Point& a, const Point& b, const Point& c)
 {
-  return atlas.orientation(a, b, c) > 0;
-}
-inline bool is_positive_face(const Torus_atlas& atlas, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                             const Eigen::Vector2d& c)
-{
-  return is_liftable(a, b, c) && atlas.orientation(a, b, c) > 0;
+  return atlas.is_triangle(a, b, c) && atlas.orientation(a, b, c) > 0;
 }
 
 // Moves single vertices of a closed mesh in its domain: out of flipped faces, and to where criteria 2 and
-// 3 hold. The kernel of a star is known on the sphere only; on the torus vertices just stay.
+// 3 hold, as far as the atlas knows better places.
 template <class Atlas>
 class Star_repair {
 public:
   using Point = typename Atlas::Domain_point;
 
-  Star_repair(const Splittable_mesh& mesh, std::vector<Point>& points) : mesh_(mesh), points_(points) {}
+  Star_repair(const Atlas& atlas, const Splittable_mesh& mesh, std::vector<Point>& points)
+    : atlas_(atlas), mesh_(mesh), points_(points)
+  {
+  }
 
   // Moves vertices of faces that are not positive into the kernels of their stars. Returns whether all
   // faces are positive now.
@@ -60,7 +55,7 @@ public:
       for (int v : bad) {
         gather(v);
         if (is_star_positive(points_[v], star_)) continue;
-        if (const auto p = kernel_centroid(points_[v], star_)) {
+        if (const auto p = kernel_point(points_[v], star_)) {
           points_[v] = *p;
           has_moved = true;
         }
@@ -108,36 +103,21 @@ public:
   Star_criteria criteria(int v)
   {
     gather(v);
-    return star_criteria(Atlas(), points_[v], star_, true);
+    return star_criteria(atlas_, points_[v], star_, true);
   }
 
-  static bool is_star_positive(const Point& p, const std::vector<Point>& star)
+  bool is_star_positive(const Point& p, const std::vector<Point>& star) const
   {
-    const Atlas atlas;
     for (std::size_t i = 0; i < star.size(); ++i)
-      if (!is_positive_face(atlas, p, star[i], star[(i + 1) % star.size()])) return false;
+      if (!is_positive_face(atlas_, p, star[i], star[(i + 1) % star.size()])) return false;
     return true;
   }
 
-  // The centroid of the kernel of a star with its vertex at p, if all faces are positive then.
-  static std::optional<Point> kernel_centroid(const Point& p, const std::vector<Point>& star)
+  // A place for the vertex of a star where all of its faces are positive.
+  std::optional<Point> kernel_point(const Point& p, const std::vector<Point>& star) const
   {
-    if constexpr (std::is_same_v<Atlas, Sphere_atlas>) {
-      // Gnomonic coordinates show one hemisphere: other centres than p see kernels that p does not see.
-      std::vector<Point> origins{p};
-      for (std::size_t i = 0; i < star.size(); i += 1 + star.size() / 16) origins.push_back(star[i]);
-      Star_kernel kernel;
-      for (const Point& origin : origins) {
-        const auto chart = Sphere_geometry::chart(origin, star);
-        kernel.reset(chart.bound);
-        for (std::size_t i = 0; i < star.size() && !kernel.is_empty(); ++i)
-          kernel.clip(chart.half_plane(star[i], star[(i + 1) % star.size()]));
-        if (kernel.is_empty()) continue;
-        const Point centroid = chart.point(kernel.centroid());
-        if (is_star_positive(centroid, star)) return centroid;
-      }
-    }
-    return std::nullopt;
+    const std::optional<Point> k = atlas_.kernel_point(p, star);
+    return k && is_star_positive(*k, star) ? k : std::nullopt;
   }
 
   static void make_unique(std::vector<int>& vertices)
@@ -156,10 +136,10 @@ private:
 
   bool is_positive(const Triangle& t) const
   {
-    return is_positive_face(Atlas(), points_[t[0]], points_[t[1]], points_[t[2]]);
+    return is_positive_face(atlas_, points_[t[0]], points_[t[1]], points_[t[2]]);
   }
 
-  int violations_near(int v)
+  int violations_round(int v)
   {
     std::vector<int> ring;
     mesh_.ring(v, ring);
@@ -182,34 +162,26 @@ private:
   bool improve(int v)
   {
     constexpr int longest_work = 500; // a move is tested in all stars round it: none is tried at hubs
-    if constexpr (std::is_same_v<Atlas, Sphere_atlas>) {
-      if (mesh_.valence(v) > longest_work) return false;
-      gather(v);
-      int work = 0;
-      for (int w : ring_) work += mesh_.valence(w);
-      if (work > longest_work) return false;
-      const Point old = points_[v];
-      const int before = violations_near(v);
-      if (before == 0) return false;
-      gather(v);
-      Point mean = Point::Zero();
-      for (const Point& r : star_) mean += r;
-      const std::vector<Point> star = star_;
-      std::vector<Point> targets;
-      if (const auto p = kernel_centroid(old, star)) targets.push_back(*p);
-      if (mean.norm() > 1e-3) targets.push_back(mean.normalized());
-      for (const Point& target : targets)
-        for (double step : {1., 0.6, 0.3, 0.1}) {
-          const Point p = old + step * (target - old);
-          if (!(p.norm() > 1e-3)) continue;
-          points_[v] = p.normalized();
-          if (is_star_positive(points_[v], star) && violations_near(v) < before) return true;
-        }
-      points_[v] = old;
+    if (mesh_.valence(v) > longest_work) return false;
+    gather(v);
+    int work = 0;
+    for (int w : ring_) work += mesh_.valence(w);
+    if (work > longest_work) return false;
+    const Point old = points_[v];
+    const std::vector<Point> star = star_;
+    const std::vector<Point> places = atlas_.better_places(old, star);
+    if (places.empty()) return false;
+    const int before = violations_round(v);
+    if (before == 0) return false;
+    for (const Point& place : places) {
+      points_[v] = place;
+      if (is_star_positive(place, star) && violations_round(v) < before) return true;
     }
+    points_[v] = old;
     return false;
   }
 
+  const Atlas& atlas_;
   const Splittable_mesh& mesh_;
   std::vector<Point>& points_;
   std::vector<int> ring_;

@@ -10,8 +10,6 @@
 
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
-#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
-#include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 
 #include <CGAL/assertions.h>
 
@@ -21,8 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,13 +31,13 @@ namespace internal {
 // the dividing lines may have any direction, and where a line between the faces divides them badly, lines
 // along their edges are tried, which divide a fan or a stack of slivers without cutting any.
 //
-// The square, the torus (unrolled to the square) and the sphere are one case in homogeneous coordinates: a
-// line or a great circle is a plane n.x = 0, and a face is on one side of it when its corners are.
+// In the homogeneous coordinates of the pictures that an atlas has of its surface all are one case: a line or a great
+// circle is a plane n.x = 0, and a face is on one side of it when its corners are. Each picture has a tree.
 //
 // Rounding: a face is on the side of a plane that a corner reaches by more than epsilon, and a point nearer
 // than `band` is sought on both sides. With |n| = 1 and |x| < 2.2 a computed n.x is wrong by less than
 // epsilon / 2.6. A point x = sum l_i v_i of a face has n.x <= (sum l_i) max n.v_i, and sum l_i is at most 1 in
-// the plane, and on the sphere 1 / (distance of the face's plane from the origin). So nothing is missed as
+// flat pictures, else 1 / (distance of the face's plane from the origin). So nothing is missed as
 // long as it is below 500; longer faces, almost half round the sphere, are also put to the sides that they
 // only touch.
 template <class Atlas>
@@ -51,15 +47,18 @@ public:
   using Points = std::vector<Domain_point>;
   using Faces = std::vector<Triangle>;
 
-  Face_tree(const Points& points, const Faces& faces) { Builder(*this, points, faces).build(); }
+  Face_tree(const Atlas& atlas, const Points& points, const Faces& faces)
+  {
+    Builder(*this, atlas, points, faces).build();
+  }
 
   // Calls test(f) for the faces that may contain x, until it returns true; whether it did.
   template <class Test>
-  bool find(const Domain_point& x, const Test& test) const
+  bool find(const Atlas& atlas, const Domain_point& x, const Test& test) const
   {
-    const Eigen::Vector3d p = homogeneous(x);
+    const Eigen::Vector3d p = atlas.homogeneous(x);
     std::array<int, max_depth + 1> other_sides;
-    int size = 0, node = root_;
+    int size = 0, node = root_[atlas.picture(x)];
     for (;;) {
       while (node >= 0) {
         const Node& n = nodes_[node];
@@ -77,14 +76,13 @@ public:
 
   std::size_t bytes() const
   {
-    return nodes_.capacity() * sizeof(Node) + (leaf_begin_.capacity() + leaf_faces_.capacity()) * sizeof(int);
+    return nodes_.capacity() * sizeof(Node) +
+           (leaf_begin_.capacity() + leaf_faces_.capacity() + root_.capacity()) * sizeof(int);
   }
 
 private:
-  static constexpr bool is_sphere = std::is_same_v<Atlas, Sphere_atlas>;
-  static constexpr bool is_torus = std::is_same_v<Atlas, Torus_atlas>;
   static constexpr double epsilon = 4e-15;
-  static constexpr double band = is_sphere ? 1024 * epsilon : 4 * epsilon;
+  static constexpr double band = Atlas::has_flat_pictures ? 4 * epsilon : 1024 * epsilon;
   static constexpr int max_depth = 100;
 
   struct Node {
@@ -92,34 +90,27 @@ private:
     std::array<int, 2> child; // on the negative and on the positive side; -1 - l is leaf l
   };
 
-  static Eigen::Vector3d homogeneous(const Domain_point& x)
-  {
-    if constexpr (is_sphere)
-      return x.stableNormalized(); // queries have any length
-    else
-      return {x[0], x[1], 1};
-  }
-
   class Builder;
 
   std::vector<Node> nodes_;
   std::vector<int> leaf_begin_ = {0}, leaf_faces_;
-  int root_ = -1;
+  std::vector<int> root_; // per picture
 };
 
 template <class Atlas>
 class Face_tree<Atlas>::Builder {
 public:
-  Builder(Face_tree& tree, const Points& points, const Faces& faces)
-    : tree_(tree), points_(points), faces_(faces)
+  Builder(Face_tree& tree, const Atlas& atlas, const Points& points, const Faces& faces)
+    : tree_(tree), atlas_(atlas), points_(points), faces_(faces)
   {
   }
 
   void build()
   {
-    std::vector<Piece> pieces = all_pieces();
-    spare_ = 3 * pieces.size() + 1000;
-    tree_.root_ = subtree(std::move(pieces), 0);
+    for (std::vector<Piece>& pieces : all_pieces()) {
+      spare_ = 3 * pieces.size() + 1000;
+      tree_.root_.push_back(subtree(std::move(pieces), 0));
+    }
     tree_.nodes_.shrink_to_fit();
     tree_.leaf_begin_.shrink_to_fit();
     tree_.leaf_faces_.shrink_to_fit();
@@ -129,49 +120,30 @@ private:
   static constexpr std::size_t leaf_size = 6;
   static constexpr int sample_size = 48;
 
-  // A face; on the torus a copy of it in the plane, of which the domain square cuts out a part.
+  // A copy of a face, of which a picture shows a part.
   struct Piece {
     int face;
-    std::array<std::int8_t, 2> shift;
+    typename Atlas::Picture_copy copy;
   };
   using Corners = std::array<Eigen::Vector3d, 3>;
 
   Corners corners(const Piece& piece) const
   {
     const Triangle& t = faces_[piece.face];
-    if constexpr (is_sphere) {
-      return {points_[t[0]], points_[t[1]], points_[t[2]]};
-    } else {
-      Corners result;
-      for (int k = 0; k < 3; ++k) {
-        Eigen::Vector2d p = points_[t[k]];
-        if constexpr (is_torus)
-          p = Torus_atlas::lift(points_[t[0]], p) + Eigen::Vector2d(piece.shift[0], piece.shift[1]);
-        result[k] = {p[0], p[1], 1};
-      }
-      return result;
-    }
+    return atlas_.homogeneous(points_[t[0]], points_[t[1]], points_[t[2]], piece.copy);
   }
 
-  std::vector<Piece> all_pieces() const
+  // Per picture.
+  std::vector<std::vector<Piece>> all_pieces() const
   {
-    std::vector<Piece> pieces;
-    pieces.reserve(faces_.size() + (is_torus ? faces_.size() / 8 : 0));
+    std::vector<std::vector<Piece>> pieces(atlas_.number_of_pictures());
+    if (pieces.size() == 1) pieces[0].reserve(faces_.size() + faces_.size() / 8);
     for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
-      if constexpr (is_torus) {
-        const Corners c = corners({f, {0, 0}});
-        const Eigen::Vector3d low = c[0].cwiseMin(c[1]).cwiseMin(c[2]).array() - epsilon;
-        const Eigen::Vector3d high = c[0].cwiseMax(c[1]).cwiseMax(c[2]).array() + epsilon;
-        const auto meets_domain = [&](int k, int shift) {
-          return low[k] + shift <= 1 && high[k] + shift >= 0;
-        };
-        for (int i = -1; i <= 1; ++i)
-          for (int j = -1; j <= 1; ++j)
-            if (meets_domain(0, i) && meets_domain(1, j))
-              pieces.push_back({f, {static_cast<std::int8_t>(i), static_cast<std::int8_t>(j)}});
-      } else {
-        pieces.push_back({f, {0, 0}});
-      }
+      const Triangle& t = faces_[f];
+      atlas_.for_each_copy(points_[t[0]], points_[t[1]], points_[t[2]],
+                           [&](int picture, const typename Atlas::Picture_copy& copy) {
+                             pieces[picture].push_back({f, copy});
+                           });
     }
     return pieces;
   }
@@ -182,7 +154,7 @@ private:
     const double s0 = normal.dot(c[0]), s1 = normal.dot(c[1]), s2 = normal.dot(c[2]);
     const double low = (std::min)(s0, (std::min)(s1, s2)), high = (std::max)(s0, (std::max)(s1, s2));
     const bool is_positive = high > epsilon, is_negative = low < -epsilon;
-    if constexpr (is_sphere)
+    if constexpr (!Atlas::has_flat_pictures)
       if (is_positive != is_negative && high >= -epsilon && low <= epsilon && is_long(c)) return {true, true};
     return {is_negative || !is_positive, is_positive};
   }
@@ -276,7 +248,7 @@ private:
       mean += centroid[i];
     }
     Eigen::Vector3d w(0, 0, 1), u(1, 0, 0), v(0, 1, 0);
-    if constexpr (is_sphere) {
+    if constexpr (!Atlas::has_flat_pictures) {
       w = mean / (3 * n);
       for (int i = 0; i < n; ++i)
         if (!(w.dot(centroid[i]) > 0.3 * centroid[i].norm())) { // faces all round the sphere
@@ -309,6 +281,7 @@ private:
   }
 
   Face_tree& tree_;
+  const Atlas& atlas_;
   const Points& points_;
   const Faces& faces_;
   std::size_t spare_ = 0; // the copies that may still be made

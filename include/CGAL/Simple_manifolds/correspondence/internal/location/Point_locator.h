@@ -39,8 +39,8 @@ public:
   using Points = std::vector<Domain_point>;
   using Faces = std::vector<Triangle>;
 
-  Point_locator(const Points& points, const Faces& faces, std::vector<int> opposite)
-    : opposite_(std::move(opposite)), tree_(points, faces)
+  Point_locator(const Atlas& atlas, const Points& points, const Faces& faces, std::vector<int> opposite)
+    : opposite_(std::move(opposite)), tree_(atlas, points, faces)
   {
   }
 
@@ -50,7 +50,7 @@ public:
   {
     Located_face located;
     if (hint != -1 && walk(atlas, points, faces, x, hint, located)) return located;
-    tree_.find(x, [&](int f) {
+    tree_.find(atlas, x, [&](int f) {
       const Face_sheet<Atlas> sheet(atlas, points, faces[f], x);
       for (int k = 0; k < 3; ++k)
         if ((located.sign[k] = sheet.side(k)) < 0) return false;

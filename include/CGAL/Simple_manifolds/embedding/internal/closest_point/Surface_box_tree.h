@@ -65,7 +65,8 @@ public:
 
   explicit Surface_box_tree(const Surface& surface) : surface_(surface)
   {
-    constexpr int tiles = Surface::Atlas::number_of_charts, n = 8;
+    constexpr int n = 8;
+    const int tiles = surface.atlas().number_of_charts();
     Box box;
     for (int tile = 0; tile < tiles; ++tile)
       for (int i = 0; i <= n; ++i)
@@ -97,7 +98,7 @@ public:
     double nearest = std::numeric_limits<double>::infinity(); // squared distance from some point of it
     std::vector<std::pair<double, int>> stack;
     stack.reserve(64);
-    push_sorted(x, 0, Surface::Atlas::number_of_charts, nearest, stack);
+    push_sorted(x, 0, surface_.atlas().number_of_charts(), nearest, stack);
     while (!stack.empty()) {
       const auto [bound, n] = stack.back();
       stack.pop_back();

@@ -8,13 +8,12 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_EVALUATE_BATCH_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_EVALUATE_BATCH_H
 
+#include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
-#include <CGAL/Simple_manifolds/embedding/internal/evaluation/Batch_weights.h>
 #include <CGAL/Simple_manifolds/embedding/internal/evaluation/Pack.h>
-#include <CGAL/Simple_manifolds/embedding/internal/evaluation/Sphere_batch_weights.h>
 #include <CGAL/Simple_manifolds/embedding/internal/evaluation/Tensor_sum.h>
-#include <CGAL/Simple_manifolds/embedding/internal/evaluation/Torus_batch_weights.h>
+#include <CGAL/Simple_manifolds/internal/Batch_slot.h>
 #include <CGAL/Simple_manifolds/internal/compiled.h>
 
 #include <Eigen/Core>
@@ -258,6 +257,13 @@ void blend_row(const Hierarchical_embedding* charts, const Batch_slots<Order>& s
   });
 }
 
+// Whether an atlas has weights of many points at once.
+template <class Atlas, class = void>
+inline constexpr bool has_batch_weights = false;
+template <class Atlas>
+inline constexpr bool
+  has_batch_weights<Atlas, std::void_t<typename Atlas::template Batch_weights<Smoothstep_bump<2>, 0>>> = true;
+
 // Whether `evaluate_batch()` can evaluate surfaces of a type.
 template <class Surface>
 inline constexpr bool may_have_batches =
@@ -269,7 +275,7 @@ template <class Surface>
 bool has_batches(const Surface& surface)
 {
   const Hierarchical_embedding& first = surface.chart_embedding(0);
-  for (int c = 1; c < Surface::Atlas::number_of_charts; ++c) {
+  for (int c = 1; c < surface.atlas().number_of_charts(); ++c) {
     const Hierarchical_embedding& e = surface.chart_embedding(c);
     if (e.degree() != first.degree() || e.levels()[0].cells != first.levels()[0].cells) return false;
   }
@@ -281,7 +287,7 @@ bool has_batches(const Surface& surface)
 template <int Order, class Surface, class Point>
 void evaluate_batch(const Surface& surface, const Point* points, int n, Batch_result<Order>* out)
 {
-  using Weights = Batch_weights<typename Surface::Atlas, typename Surface::Bump, Order>;
+  using Weights = typename Surface::Atlas::template Batch_weights<typename Surface::Bump, Order>;
   Weights weights(surface.atlas(), surface.bump());
   for (int done = 0; done < n; done += row_size) {
     const int m = (std::min)(n - done, row_size);

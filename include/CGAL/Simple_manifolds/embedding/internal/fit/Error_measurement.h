@@ -49,7 +49,7 @@ public:
   void measure(bool is_parallel, const Fit& fit, Fit_report& report)
   {
     errors_.assign(number_of_points(), -1); // of points that are not there
-    std::vector<Sums> sums(number_of_pieces());
+    std::vector<Sums> sums(number_of_pieces(), Sums(number_of_charts()));
     run_tasks(is_parallel, number_of_pieces(), [&](int piece) {
       for_each_point(piece, [&](std::size_t k, const Domain_point& p, const Eigen::Vector3d& x, int) {
         Eigen::Vector3d e = -x;
@@ -64,11 +64,11 @@ public:
         sum.add(errors_[k]);
       });
     });
-    Sums total{};
+    Sums total(number_of_charts());
     for (const Sums& s : sums)
       for (std::size_t c = 0; c < total.size(); ++c) total[c] += s[c];
     Sum all;
-    report.charts.resize(Atlas::number_of_charts);
+    report.charts.resize(number_of_charts());
     report.controls = fit.controls();
     for (std::size_t c = 0; c < total.size(); ++c) {
       Fit_report::Chart& chart = report.charts[c];
@@ -137,11 +137,11 @@ public:
                        const Visitor_reference& visitor) const
   {
     constexpr int batch = 64; // pieces between reports to the visitor
-    Sums distance{}, angle{};
+    Sums distance(number_of_charts()), angle(number_of_charts());
     for (int first = 0; first < number_of_pieces(); first += batch) {
       visitor.progress(double(first) / number_of_pieces());
       const int count = (std::min)(batch, number_of_pieces() - first);
-      std::vector<Sums> distances(count), angles(count);
+      std::vector<Sums> distances(count, Sums(number_of_charts())), angles = distances;
       run_tasks(is_parallel, count, [&](int piece) {
         for_each_point(first + piece,
                        [&](std::size_t, const Domain_point& p, const Eigen::Vector3d& x, int face) {
@@ -193,7 +193,7 @@ private:
       return *this;
     }
   };
-  using Sums = std::array<Sum, Atlas::number_of_charts>;
+  using Sums = std::vector<Sum>; // per chart
 
   static void set(const Sum& s, double& rms, double& largest)
   {
@@ -219,6 +219,7 @@ private:
 
   static constexpr std::size_t piece_size = 1024;
 
+  int number_of_charts() const { return partition_.atlas().number_of_charts(); }
   std::size_t number_of_points() const { return map_.number_of_vertices() + 3 * map_.number_of_faces(); }
   int number_of_pieces() const { return int((number_of_points() + piece_size - 1) / piece_size); }
 

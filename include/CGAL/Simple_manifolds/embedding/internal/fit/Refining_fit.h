@@ -56,7 +56,7 @@ private:
   using Clock = std::chrono::steady_clock;
   using Fit = Hierarchical_fit;
   using Sampler = Surface_sampler<Map, Bump>;
-  static constexpr bool has_single_chart = Atlas::number_of_charts == 1;
+  static constexpr bool has_single_chart = Atlas::has_single_chart;
 
   static double seconds_since(Clock::time_point start)
   {
@@ -149,7 +149,7 @@ private:
         solve_alone(fit, fit.all_charts(), visitor);
       std::vector<Mark> marks;
       std::size_t controls = 0;
-      for (int c = 0; c < Atlas::number_of_charts; ++c) {
+      for (int c = 0; c < map_.atlas().number_of_charts(); ++c) {
         const Cell_tree& tree = fit.splines()[c].tree();
         const std::size_t finer = 2 * tree.side(tree.depth()) + options_.spline_degree;
         controls += finer * finer;
@@ -247,7 +247,7 @@ typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Vis
   visitor.start_phase("fit");
   done_ = 0;
   rounds_ = 0;
-  Fit fit(options_.spline_degree, Atlas::number_of_charts, centre(), options_.fairness, is_parallel_);
+  Fit fit(options_.spline_degree, map_.atlas().number_of_charts(), centre(), options_.fairness, is_parallel_);
   timed(report_.seconds.sampling, [&] { fit.add(sampler_.vertices(options_.vertex_weights)); });
   sample(fit);
   if (options_.refinement == Refinement::UNIFORM)

@@ -150,12 +150,12 @@ private:
   template <class F>
   void for_each_chart(const F& f) const
   {
-    parallel_tasks<ConcurrencyTag>(Atlas::number_of_charts, f);
+    parallel_tasks<ConcurrencyTag>(map_.atlas().number_of_charts(), f);
   }
 
   void start_charts()
   {
-    std::array<std::vector<Sample>, Atlas::number_of_charts> vertices;
+    std::vector<std::vector<Sample>> vertices(map_.atlas().number_of_charts());
     std::vector<Eigen::Vector3d> points;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     for (std::size_t v = 0; v < map_.number_of_vertices(); ++v) {
@@ -166,9 +166,8 @@ private:
         vertices[w.point.chart].push_back({w.point.uv, map_.point(v), w.weight});
     }
     centre /= double(points.size());
-    const std::array<double, Atlas::number_of_charts> edges = shortest_edges();
-    charts_.assign(Atlas::number_of_charts,
-                   Chart_patch_fit(options_.spline_degree, options_.patch_controls, centre));
+    const std::vector<double> edges = shortest_edges();
+    charts_.assign(vertices.size(), Chart_patch_fit(options_.spline_degree, options_.patch_controls, centre));
     for_each_chart([&](int c) {
       charts_[c].set_vertices(vertices[c]);
       charts_[c].start(edges[c], options_.max_bins, Sampler{*this, c});
@@ -176,10 +175,9 @@ private:
   }
 
   // Of each chart, in its coordinates; infinite if it contains no edge.
-  std::array<double, Atlas::number_of_charts> shortest_edges() const
+  std::vector<double> shortest_edges() const
   {
-    std::array<double, Atlas::number_of_charts> shortest;
-    shortest.fill(std::numeric_limits<double>::infinity());
+    std::vector<double> shortest(map_.atlas().number_of_charts(), std::numeric_limits<double>::infinity());
     for (std::size_t f = 0; f < map_.number_of_faces(); ++f)
       for (int k = 0; k < 3 && !map_.is_virtual(f); ++k) {
         const auto first = map_.atlas().charts_at(map_.domain_point(map_.face(f)[k]));

@@ -8,10 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_PAPER_MAP_INTERNAL_DOMAIN_PLANE_H
 #define CGAL_SIMPLE_MANIFOLDS_PAPER_MAP_INTERNAL_DOMAIN_PLANE_H
 
-#include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
-#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
-#include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/lifts.h>
+#include <CGAL/Simple_manifolds/atlas/Gnomonic_chart.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -27,26 +24,20 @@ namespace internal {
 inline double on_area_grid(double x) { return std::round(x * 4503599627370496.) / 4503599627370496.; }
 
 // A part of a domain in the plane, round an origin, where the faces of a map are straight: so what is one to
-// one in the plane is one to one in the domain. On the sphere this is the central projection to the tangent
-// plane; the charts bend great circles.
-template <class Atlas>
-class Domain_plane { // square and torus: the nearest copies
+// one in the plane is one to one in the domain. Of flat domains these are the nearest copies; on the sphere it is the
+// central projection to the tangent plane, as the charts bend great circles.
+template <class Atlas, bool IsFlat = Atlas::has_flat_pictures>
+class Domain_plane {
 public:
   using Point = Eigen::Vector2d;
 
-  explicit Domain_plane(const Point& origin) : origin_(origin) {}
+  Domain_plane(const Atlas& atlas, const Point& origin) : atlas_(atlas), origin_(origin) {}
 
   bool contains(const Point&) const { return true; }
-  Eigen::Vector2d coordinates(const Point& p) const
-  {
-    if constexpr (Atlas::is_closed)
-      return shortest_difference(origin_, p);
-    else
-      return p - origin_;
-  }
+  Eigen::Vector2d coordinates(const Point& p) const { return atlas_.flat_edges(origin_, p, p).first; }
   Point point(const Eigen::Vector2d& x) const
   {
-    return Atlas().canonical((origin_ + x).unaryExpr([](double y) { return on_area_grid(y); }));
+    return atlas_.canonical((origin_ + x).unaryExpr([](double y) { return on_area_grid(y); }));
   }
   // Half the side of the square that is reprojected. The tile has half of the breadth 1/6, the chart 1/3.
   static constexpr double reach = 0.25;
@@ -60,18 +51,18 @@ public:
   }
 
 private:
+  Atlas atlas_;
   Point origin_;
 };
 
-template <>
-class Domain_plane<Sphere_atlas> {
+template <class Atlas>
+class Domain_plane<Atlas, false> {
 public:
   using Point = Eigen::Vector3d;
 
-  explicit Domain_plane(const Point& origin) : origin_(origin)
+  Domain_plane(const Atlas&, const Point& origin)
+    : origin_(origin), frame_(Gnomonic_chart::tangent_frame(origin))
   {
-    frame_.col(0) = origin.unitOrthogonal();
-    frame_.col(1) = origin.cross(frame_.col(0));
   }
 
   bool contains(const Point& p) const { return origin_.dot(p) > 0.05; }
@@ -91,7 +82,7 @@ public:
 
 private:
   Point origin_;
-  Eigen::Matrix<double, 3, 2> frame_;
+  Gnomonic_chart::Frame frame_;
 };
 
 // Whether a face is what a certificate wants.
@@ -99,9 +90,7 @@ template <class Atlas>
 bool is_face_positive(const Atlas& atlas, const typename Atlas::Domain_point& a,
                       const typename Atlas::Domain_point& b, const typename Atlas::Domain_point& c)
 {
-  if constexpr (Atlas::genus == 1)
-    if (!is_liftable(a, b, c)) return false;
-  return atlas.orientation(a, b, c) > 0;
+  return atlas.is_triangle(a, b, c) && atlas.orientation(a, b, c) > 0;
 }
 
 } // namespace internal

@@ -9,7 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_PAPER_MAP_INTERNAL_SIMPLIFICATION_H
 
 #include <CGAL/Simple_manifolds/Error.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/engine/Star_kernel.h>
+#include <CGAL/Simple_manifolds/internal/Star_kernel.h>
 #include <CGAL/Simple_manifolds/paper/map/internal/Domain_plane.h>
 #include <CGAL/Simple_manifolds/paper/map/internal/working_mesh.h>
 
@@ -106,7 +106,7 @@ void put_back(const Atlas& atlas, const std::vector<Removed_vertex>& removed,
   Star_kernel kernel;
   std::vector<Eigen::Vector2d> ring;
   for (auto r = removed.rbegin(); r != removed.rend(); ++r) {
-    const Domain_plane<Atlas> plane(domain_points[r->kept]);
+    const Domain_plane<Atlas> plane(atlas, domain_points[r->kept]);
     const std::size_t n = r->ring.size();
     const auto is_star_positive = [&](const Point& p) {
       for (std::size_t i = 0; i < n; ++i)

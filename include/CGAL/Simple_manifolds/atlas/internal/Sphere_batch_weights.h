@@ -5,12 +5,13 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_SPHERE_BATCH_WEIGHTS_H
-#define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_SPHERE_BATCH_WEIGHTS_H
+#ifndef CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_SPHERE_BATCH_WEIGHTS_H
+#define CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_SPHERE_BATCH_WEIGHTS_H
 
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
-#include <CGAL/Simple_manifolds/embedding/internal/evaluation/Batch_weights.h>
+#include <CGAL/Simple_manifolds/atlas/internal/bump_jet.h>
+#include <CGAL/Simple_manifolds/internal/Batch_slot.h>
 #include <CGAL/Simple_manifolds/internal/vector_math.h>
 
 #include <Eigen/Core>
@@ -24,9 +25,6 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-template <>
-inline constexpr bool has_batch_weights<Sphere_atlas> = true;
-
 // The sphere: of each pair of opposite charts the one on the point's side.
 //
 // Everything is in the frame of the first slot's pair of charts, whose axes are x, y, z; the axes of the
@@ -34,9 +32,9 @@ inline constexpr bool has_batch_weights<Sphere_atlas> = true;
 // those of `Sphere_atlas::Chart`, the same for both charts of a pair, because a half turn about z exchanges
 // them.
 template <class Bump, int Order>
-class Batch_weights<Sphere_atlas, Bump, Order> {
+class Sphere_batch_weights {
 public:
-  Batch_weights(const Sphere_atlas& atlas, const Bump& bump) : atlas_(atlas), bump_(bump) {}
+  Sphere_batch_weights(const Sphere_atlas& atlas, const Bump& bump) : atlas_(atlas), bump_(bump) {}
 
   void set(int k, const Eigen::Vector3d& p)
   {
@@ -227,4 +225,4 @@ private:
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_SPHERE_BATCH_WEIGHTS_H
+#endif // CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_SPHERE_BATCH_WEIGHTS_H

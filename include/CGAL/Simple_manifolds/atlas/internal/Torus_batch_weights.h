@@ -5,13 +5,14 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_TORUS_BATCH_WEIGHTS_H
-#define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_TORUS_BATCH_WEIGHTS_H
+#ifndef CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_TORUS_BATCH_WEIGHTS_H
+#define CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_TORUS_BATCH_WEIGHTS_H
 
 #include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
-#include <CGAL/Simple_manifolds/embedding/internal/evaluation/Batch_weights.h>
+#include <CGAL/Simple_manifolds/atlas/internal/bump_jet.h>
+#include <CGAL/Simple_manifolds/internal/Batch_slot.h>
 
 #include <Eigen/Core>
 
@@ -23,15 +24,12 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-template <>
-inline constexpr bool has_batch_weights<Torus_atlas> = true;
-
 // The torus: the charts at a point are two columns times two rows, translates of each other, so that all
 // coordinates have the same derivatives and the weights are products of functions of one coordinate.
 template <class Bump, int Order>
-class Batch_weights<Torus_atlas, Bump, Order> {
+class Torus_batch_weights {
 public:
-  Batch_weights(const Torus_atlas& atlas, const Bump& bump) : atlas_(atlas), bump_(bump) {}
+  Torus_batch_weights(const Torus_atlas& atlas, const Bump& bump) : atlas_(atlas), bump_(bump) {}
 
   void set(int k, const Eigen::Vector2d& p)
   {
@@ -135,4 +133,4 @@ private:
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_TORUS_BATCH_WEIGHTS_H
+#endif // CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_TORUS_BATCH_WEIGHTS_H

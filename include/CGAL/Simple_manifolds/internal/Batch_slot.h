@@ -5,19 +5,15 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_BATCH_WEIGHTS_H
-#define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_BATCH_WEIGHTS_H
-
-#include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
-#include <CGAL/Simple_manifolds/atlas/Chart_point.h>
-#include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
+#ifndef CGAL_SIMPLE_MANIFOLDS_INTERNAL_BATCH_SLOT_H
+#define CGAL_SIMPLE_MANIFOLDS_INTERNAL_BATCH_SLOT_H
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 
-// The charts, coordinates and weights of many points at once.
+// How the charts contribute to a surface, for many points at once.
 
 namespace CGAL {
 namespace Simple_manifolds {
@@ -32,18 +28,6 @@ struct alignas(64) Row {
   double operator[](int k) const { return x[k]; }
   double& operator[](int k) { return x[k]; }
 };
-
-// The jet of a bump at a point of [0,1]; elsewhere any numbers.
-template <class Bump>
-std::array<double, 3> bump_jet(const Bump& bump, double x)
-{
-  return bump.jet(x);
-}
-template <int K>
-std::array<double, 3> bump_jet(const Smoothstep_bump<K>& bump, double x)
-{
-  return bump.inner_jet(x);
-}
 
 // How one of the charts that contain a point contributes to the surface there, with `Order` derivatives.
 //
@@ -72,43 +56,8 @@ struct Batch_slots {
   int number_of_transported;
 };
 
-// The slots of an atlas; the general atlas has none.
-template <class Atlas, class Bump, int Order>
-class Batch_weights;
-
-template <class Atlas>
-inline constexpr bool has_batch_weights = false;
-
-template <>
-inline constexpr bool has_batch_weights<Plane_atlas> = true;
-
-// The plane: one chart, whose weight is 1.
-template <class Bump, int Order>
-class Batch_weights<Plane_atlas, Bump, Order> {
-public:
-  Batch_weights(const Plane_atlas&, const Bump&) {}
-
-  void set(int k, const Eigen::Vector2d& p)
-  {
-    slot_.chart[k] = 0;
-    slot_.u[k] = p.x();
-    slot_.v[k] = p.y();
-  }
-  void set(int k, const Chart_point& a) { set(k, a.uv); }
-
-  void run()
-  {
-    for (Row& b : slot_.b) std::fill(b.x, b.x + row_size, &b == &slot_.b[0] ? 1. : 0.);
-  }
-
-  Batch_slots<Order> slots() const { return {&slot_, 1, nullptr, 0}; }
-
-private:
-  Batch_slot<Order, false> slot_;
-};
-
 } // namespace internal
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_BATCH_WEIGHTS_H
+#endif // CGAL_SIMPLE_MANIFOLDS_INTERNAL_BATCH_SLOT_H

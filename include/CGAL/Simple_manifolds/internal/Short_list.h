@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_SHORT_LIST_H
-#define CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_SHORT_LIST_H
+#ifndef CGAL_SIMPLE_MANIFOLDS_INTERNAL_SHORT_LIST_H
+#define CGAL_SIMPLE_MANIFOLDS_INTERNAL_SHORT_LIST_H
 
 #include <CGAL/assertions.h>
 
@@ -54,4 +54,4 @@ private:
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_SHORT_LIST_H
+#endif // CGAL_SIMPLE_MANIFOLDS_INTERNAL_SHORT_LIST_H

@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_VARIATION_H
-#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_VARIATION_H
+#ifndef CGAL_SIMPLE_MANIFOLDS_INTERNAL_VARIATION_H
+#define CGAL_SIMPLE_MANIFOLDS_INTERNAL_VARIATION_H
 
 #include <cmath>
 #include <cstddef>
@@ -32,4 +32,4 @@ double variation(const Counts& counts)
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_VARIATION_H
+#endif // CGAL_SIMPLE_MANIFOLDS_INTERNAL_VARIATION_H

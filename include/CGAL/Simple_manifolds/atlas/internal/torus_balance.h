@@ -5,20 +5,23 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_TORUS_BALANCE_H
-#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_TORUS_BALANCE_H
+#ifndef CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_TORUS_BALANCE_H
+#define CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_TORUS_BALANCE_H
 
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/lifts.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/mesh/variation.h>
+#include <CGAL/Simple_manifolds/internal/variation.h>
+
+#include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
+#include <CGAL/Simple_manifolds/internal/variation.h>
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -35,6 +38,7 @@ class Torus_balance {
 
 public:
   Torus_balance(const std::vector<Eigen::Vector2d>& points, const std::vector<Triangle>& faces)
+    : points_(points)
   {
     count_points(points);
     std::vector<Box> stars(points.size());
@@ -42,7 +46,7 @@ public:
     for (const Triangle& t : faces) {
       Box face{points[t[0]]};
       for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector2d d = shortest_difference(points[t[k]], points[t[(k + 1) % 3]]);
+        const Eigen::Vector2d d = Torus_atlas::difference(points[t[k]], points[t[(k + 1) % 3]]);
         stars[t[k]].extend(d);
         stars[t[(k + 1) % 3]].extend(-d);
         if (k == 0)
@@ -55,7 +59,20 @@ public:
     for (const Box& star : stars) stars_.add(star);
   }
 
-  // A multiple of 2^-52, so that all differences stay what they are.
+  // The points after the best translation, once.
+  std::optional<std::vector<Eigen::Vector2d>> next()
+  {
+    if (was_proposed_) return std::nullopt;
+    was_proposed_ = true;
+    const Eigen::Vector2d best = translation();
+    std::vector<Eigen::Vector2d> moved = points_;
+    for (Eigen::Vector2d& p : moved) p = Torus_atlas().canonical(p + best);
+    return moved;
+  }
+
+private:
+  // A multiple of 2^-52, so that all differences stay what they are: of the numbers that the mapper makes, exactly;
+  // points from elsewhere may be rounded.
   Eigen::Vector2d translation() const
   {
     std::tuple<std::size_t, std::size_t, double> least;
@@ -73,7 +90,6 @@ public:
     return {offset(best_i), offset(best_j)};
   }
 
-private:
   static double offset(int i) { return std::ldexp(std::round(std::ldexp((i + 0.5) / cells, 52)), -52); }
 
   // A bounding box relative to a point.
@@ -115,7 +131,7 @@ private:
     // The other direction always fits.
     static bool fits_any(double x, double low, double high)
     {
-      return charts_of_box(Eigen::Vector2d(x, 0.5), Eigen::Vector2d(low, 0), Eigen::Vector2d(high, 0)) != 0;
+      return !Torus_atlas::charts_of_box({x, 0.5}, {low, 0}, {high, 0}).empty();
     }
 
     std::array<std::array<std::size_t, candidates>, 2> one_{}; // boxes that are long in direction k only
@@ -156,12 +172,21 @@ private:
     return n;
   }
 
+  const std::vector<Eigen::Vector2d>& points_;
+  bool was_proposed_ = false;
   std::vector<std::size_t> sum_; // of points in the cells below and to the left
   Box_counts faces_, stars_;
 };
 
 } // namespace internal
+
+inline internal::Torus_balance Torus_atlas::balancing_motions(const std::vector<Domain_point>& points,
+                                                              const std::vector<Triangle>& faces) const
+{
+  return internal::Torus_balance(points, faces);
+}
+
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_TORUS_BALANCE_H
+#endif // CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_TORUS_BALANCE_H

@@ -5,13 +5,16 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_SPHERE_BALANCE_H
-#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_SPHERE_BALANCE_H
+#ifndef CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_SPHERE_BALANCE_H
+#define CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_SPHERE_BALANCE_H
 
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/chart_masks.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/mesh/variation.h>
+#include <CGAL/Simple_manifolds/internal/variation.h>
+
+#include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
+#include <CGAL/Simple_manifolds/internal/variation.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -21,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -71,13 +75,14 @@ private:
   std::uint64_t state_ = 0x9E3779B97F4A7C15;
 };
 
-// Searches the motion after which the six tiles hold equally many points, by random trials. For coarse
+// Searches motions after which the six tiles hold equally many points, by random trials. For coarse
 // meshes the share of the stars without a chart counts as well.
 class Sphere_balance {
 public:
   // Large sets are sampled, one point from each of as many runs of indices: less than the noise of a
   // percent is not asked for.
   Sphere_balance(const std::vector<Eigen::Vector3d>& points, const std::vector<Triangle>& faces)
+    : points_(points)
   {
     constexpr std::size_t largest_sample = 30000, coarse = 500;
     if (points.size() < coarse) faces_ = faces;
@@ -90,6 +95,21 @@ public:
     find_rotations();
   }
 
+  // The points after the best motion; then, as a Moebius transform bends great circles and thin faces can flip, after
+  // the best ones with ever shorter boosts, at last none: rotations change signs by rounding only. Nothing when there
+  // is no better place, or all was proposed.
+  std::optional<std::vector<Eigen::Vector3d>> next()
+  {
+    if (proposals_ == 8) return std::nullopt;
+    const Conformal_motion m = motion(longest_boost_);
+    if (m.is_identity()) return std::nullopt;
+    longest_boost_ = proposals_++ < 6 ? m.boost.norm() / 2 : 0;
+    std::vector<Eigen::Vector3d> moved(points_.size());
+    m.for_each_image(points_, [&](std::size_t v, const Eigen::Vector3d& p) { moved[v] = p.normalized(); });
+    return moved;
+  }
+
+private:
   // The best motion with a boost no longer than this.
   Conformal_motion motion(double longest_boost) const
   {
@@ -106,7 +126,6 @@ public:
     return best.motion;
   }
 
-private:
   struct Trial {
     Conformal_motion motion;
     double cost = 0;
@@ -115,7 +134,7 @@ private:
   // A boost distorts areas, so it has its price.
   Trial trial(const Conformal_motion& motion) const
   {
-    std::array<std::size_t, Sphere_atlas::number_of_charts> counts{};
+    std::array<std::size_t, Sphere_atlas::number_of_charts()> counts{};
     const Sphere_atlas atlas;
     std::vector<Eigen::Vector3d> images(faces_.empty() ? 0 : sample_.size());
     motion.for_each_image(sample_, [&](std::size_t i, const Eigen::Vector3d& p) {
@@ -123,11 +142,20 @@ private:
       if (!images.empty()) images[i] = p;
     });
     double cost = variation(counts) + 0.02 * motion.boost.norm();
-    if (!images.empty()) {
-      const std::vector<Chart_mask> stars = charts_of_stars(atlas, images, faces_);
-      cost += double(std::count(stars.begin(), stars.end(), Chart_mask(0))) / stars.size();
-    }
+    if (!images.empty()) cost += share_without_chart(images);
     return {motion, cost};
+  }
+
+  // The share of the stars that no chart contains; charts are bits.
+  double share_without_chart(const std::vector<Eigen::Vector3d>& points) const
+  {
+    std::vector<unsigned> own(points.size(), 0);
+    for (std::size_t v = 0; v < points.size(); ++v)
+      for (const int c : Sphere_atlas().chart_numbers_at(points[v])) own[v] |= 1u << c;
+    std::vector<unsigned> star = own;
+    for (const Triangle& t : faces_)
+      for (const int v : t) star[v] &= own[t[0]] & own[t[1]] & own[t[2]];
+    return double(std::count(star.begin(), star.end(), 0u)) / double(star.size());
   }
 
   void find_rotations()
@@ -165,13 +193,23 @@ private:
     return best;
   }
 
+  const std::vector<Eigen::Vector3d>& points_;
+  double longest_boost_ = 0.95;
+  int proposals_ = 0;
   std::vector<Eigen::Vector3d> sample_;
   std::vector<Triangle> faces_;  // of coarse meshes
   std::vector<Trial> rotations_; // the best ones, the best first
 };
 
 } // namespace internal
+
+inline internal::Sphere_balance Sphere_atlas::balancing_motions(const std::vector<Domain_point>& points,
+                                                                const std::vector<Triangle>& faces) const
+{
+  return internal::Sphere_balance(points, faces);
+}
+
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_SPHERE_BALANCE_H
+#endif // CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_SPHERE_BALANCE_H
