@@ -52,7 +52,7 @@ Map torus_map()
 {
   auto m = sample::torus_grid(48, 30, {0.01, 0.02});
   for (std::size_t v = 0; v < m.points.size(); ++v) m.points[v] = torus(m.domain_points[v]);
-  return Map(m.points, m.faces, m.domain_points, m.points.size(), 0, atlas);
+  return Map(m.points, m.faces, m.domain_points, m.points.size(), 0, SM::Input_indices(), atlas);
 }
 
 Surface fitted(const Map& map)

@@ -207,15 +207,15 @@ TEST_CASE("meshes of another kind are refused in words")
 
 TEST_CASE("the total area of points on the grid of doubles below one is summed exactly")
 {
-  using internal::total_area_is_one;
+  const Plane_atlas square_atlas;
   const std::vector<Eigen::Vector2d> corners = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const std::vector<Triangle> square = {{0, 1, 2}, {0, 2, 3}};
-  CHECK(total_area_is_one(corners, square, false) == std::optional<bool>(true));
-  CHECK(total_area_is_one(corners, {{0, 1, 2}}, false) == std::optional<bool>(false));
+  CHECK(square_atlas.covers_once(corners, square) == std::optional<bool>(true));
+  CHECK(square_atlas.covers_once(corners, {{0, 1, 2}}) == std::optional<bool>(false));
   std::vector<Eigen::Vector2d> moved = corners;
   moved[2].x() -= std::ldexp(1., -52); // less area by 2^-53, which sums of doubles need not notice
-  CHECK(total_area_is_one(moved, square, false) == std::optional<bool>(false));
+  CHECK(square_atlas.covers_once(moved, square) == std::optional<bool>(false));
   moved[2].x() = std::ldexp(1., -60);
-  CHECK_FALSE(total_area_is_one(moved, square, false).has_value());
+  CHECK_FALSE(square_atlas.covers_once(moved, square).has_value());
   CHECK(certify(Plane_atlas(), corners, square).area_is_exact);
 }

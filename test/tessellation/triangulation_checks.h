@@ -3,6 +3,7 @@
 #ifndef SIMPLE_MANIFOLDS_TEST_TRIANGULATION_CHECKS_H
 #define SIMPLE_MANIFOLDS_TEST_TRIANGULATION_CHECKS_H
 
+#include <CGAL/Simple_manifolds/atlas/canonical_surfaces.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>

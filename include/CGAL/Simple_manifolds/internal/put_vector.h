@@ -28,9 +28,9 @@ inline constexpr int dimension_of<Vector, std::enable_if_t<(Vector::Ambient_dime
 
 // Puts one of Eigen's vectors into a property map of such vectors, or of points or vectors of a kernel of CGAL.
 template <class PropertyMap, class Key, class Vector>
-void put_vector(const PropertyMap& map, const Key& key, const Vector& x)
+void put_vector(PropertyMap&& map, const Key& key, const Vector& x)
 {
-  using Value = typename boost::property_traits<PropertyMap>::value_type;
+  using Value = typename boost::property_traits<std::decay_t<PropertyMap>>::value_type;
   constexpr int dimension = dimension_of<Vector>;
   static_assert(dimension_of<Value> == dimension || dimension_of<Value> == 0,
                 "the values of this property map have another number of coordinates than what is written");

@@ -159,7 +159,7 @@ template <class Surface, class NamedParameters>
 Domain_triangulation<typename Surface::Atlas> adaptive_triangulation(const Surface& surface,
                                                                      const NamedParameters& np)
 {
-  Domain_triangulation<typename Surface::Atlas> triangulation(tile_grid(surface, np, 96), surface.atlas());
+  Domain_triangulation<typename Surface::Atlas> triangulation(tile_grid(surface, np, 96));
   const Tessellation_report report = refine_triangulation(
     triangulation, sizing_of(surface, np), parameter(np, internal_np::max_faces, default_max_faces));
   Tessellation_report unused;
