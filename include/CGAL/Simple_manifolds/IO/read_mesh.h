@@ -94,7 +94,7 @@ Mesh_topology read_mesh(const std::string& file, MutableFaceGraph& mesh,
   std::vector<int> opposite;
   const Mesh_topology result = internal::checked_topology(file, contents, opposite);
 
-  const auto points =
+  auto points =
     internal::parameter(np, CGAL::internal_np::vertex_point, get_property_map(CGAL::vertex_point, mesh));
   internal::add_soup(contents, opposite, mesh,
                      [&](int i, auto v) { internal::put_vector(points, v, contents.points[i]); });
