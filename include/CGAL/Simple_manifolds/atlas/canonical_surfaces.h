@@ -68,7 +68,25 @@ struct Atlas_list {
 ///
 /// The canonical surfaces of the package. A new one needs its atlas, a geometry for the engine that lays meshes out on
 /// it (`LayoutGeometry`), and its place in this list.
-using Canonical_surfaces = Atlas_list<Plane_atlas, Sphere_atlas, Torus_atlas>;
+#define CGAL_SIMPLE_MANIFOLDS_FOR_EACH_ATLAS(X) X(Plane_atlas) X(Sphere_atlas) X(Torus_atlas)
+
+namespace internal {
+
+template <class First, class... Others> // each but the first has a comma before it
+struct List_of_atlases {
+  using Type = Atlas_list<Others...>;
+};
+#define CGAL_SIMPLE_MANIFOLDS_LISTED(Atlas) , Atlas
+using Canonical_surfaces =
+  List_of_atlases<void CGAL_SIMPLE_MANIFOLDS_FOR_EACH_ATLAS(CGAL_SIMPLE_MANIFOLDS_LISTED)>::Type;
+#undef CGAL_SIMPLE_MANIFOLDS_LISTED
+
+} // namespace internal
+
+/// \ingroup PkgSimpleManifoldsAtlas
+///
+/// The same list as a type.
+using Canonical_surfaces = internal::Canonical_surfaces;
 
 } // namespace Simple_manifolds
 } // namespace CGAL

@@ -14,8 +14,8 @@
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/default_chart.h>
 #include <CGAL/Simple_manifolds/correspondence/Input_indices.h>
+#include <CGAL/Simple_manifolds/correspondence/Point_locator.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/location/Point_locator.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/bounding_cube.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
@@ -270,7 +270,7 @@ private:
     return static_cast<std::size_t>(i);
   }
 
-  internal::Point_locator<Atlas> certified_locator()
+  Point_locator<Atlas> certified_locator()
   {
     CGAL_precondition(points_.size() == domain_points_.size());
     CGAL_precondition(number_of_input_vertices_ <= points_.size());
@@ -294,7 +294,7 @@ private:
                           certificate_.offending_faces.empty()
                             ? Mesh_element()
                             : Mesh_element::face(certificate_.offending_faces.front()));
-    return internal::Point_locator<Atlas>(atlas_, domain_points_, faces_, std::move(opposite));
+    return Point_locator<Atlas>(atlas_, domain_points_, faces_, std::move(opposite));
   }
 
   void measure()
@@ -326,7 +326,7 @@ private:
            location.barycentric.minCoeff() >= 0 && std::abs(location.barycentric.sum() - 1) <= 1e-9;
   }
 
-  Location location(const internal::Located_face& found, const Domain_point& x) const
+  Location location(const Located_face& found, const Domain_point& x) const
   {
     CGAL_assertion(found.face != -1); // the faces of a certified map cover the domain
     const Triangle& t = faces_[found.face];
@@ -354,8 +354,8 @@ private:
   std::size_t number_of_input_vertices_, number_of_virtual_faces_;
   Input_indices input_;
   Certificate certificate_;
-  internal::Point_locator<Atlas> locator_; // after the members that it is made from
-  std::vector<int> virtual_vertices_;      // sorted
+  Point_locator<Atlas> locator_;      // after the members that it is made from
+  std::vector<int> virtual_vertices_; // sorted
   double diagonal_ = 0;
   bool is_inward_oriented_ = false;
 };

@@ -44,7 +44,7 @@ namespace Simple_manifolds {
 /// it.
 ///
 /// \tparam FaceListGraph  the type of the mesh; its descriptors are no integers
-/// \tparam Atlas_  `Sphere_atlas`, `Torus_atlas` or `Plane_atlas`
+/// \tparam Atlas_  a model of `ManifoldAtlas`
 /// \cgalModels{ManifoldMap}
 template <class FaceListGraph, class Atlas_>
 class Mesh_map : public Manifold_map<Atlas_> {

@@ -46,7 +46,7 @@ struct Mesh_topology {
   /// Whether it is one piece.
   bool is_connected() const { return components == 1; }
   /// Whether the mesh is a disk: connected, one border loop, no handle.
-  bool is_disk() const { return is_connected() && border_loops == 1 && genus == 0; }
+  bool is_disk() const { return is_connected() && border_loops == 1 && euler_characteristic == 1; }
 
   /// All of it in words, e.g. `the mesh is closed, connected, genus 2 (V - E + F = -2)`.
   std::string sentence() const
@@ -151,7 +151,8 @@ inline Mesh_topology topology(std::size_t number_of_vertices, const std::vector<
 /// \throw Topology_error  `several_components`, `not_closed` or `wrong_genus`, saying what the mesh is
 inline void require_closed_genus(const Mesh_topology& topology, int genus)
 {
-  const std::string what = genus == 0 ? "a sphere" : genus == 1 ? "a torus" : "the surface that is needed";
+  static const char* const names[] = {"a sphere", "a torus"};
+  const std::string what = genus < 2 ? names[genus] : "a surface of genus " + std::to_string(genus);
   const auto fail = [&](Error_code code, const std::string& needed) {
     throw Topology_error(code, topology.sentence() + ": " + what + " " + needed);
   };

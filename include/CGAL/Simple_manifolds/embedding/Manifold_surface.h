@@ -14,7 +14,6 @@
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/atlas/Partition_of_unity.h>
-#include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/embedding/internal/evaluation/evaluate_batch.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_TESSELLATION_MESH_VERTEX_COUNT_H
 #define CGAL_SIMPLE_MANIFOLDS_TESSELLATION_MESH_VERTEX_COUNT_H
 
-#include <CGAL/Simple_manifolds/correspondence/internal/location/Point_locator.h>
+#include <CGAL/Simple_manifolds/correspondence/Point_locator.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 #include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
@@ -56,8 +56,7 @@ public:
   {
     const internal::Triangle_soup soup(t.number_of_vertices(), t.triangles());
     const std::vector<int> opposite = internal::opposite_half_edges(soup);
-    const internal::Point_locator<typename Map::Atlas> locator(t.atlas(), t.domain_points(), t.triangles(),
-                                                               opposite);
+    const Point_locator<typename Map::Atlas> locator(t.atlas(), t.domain_points(), t.triangles(), opposite);
     std::vector<int> count(t.number_of_faces(), 0);
     int hint = -1;
     for (std::size_t v = 0; v < map_->number_of_vertices(); ++v) {

@@ -92,7 +92,7 @@ void tessellate(const Surface& surface, const Grid& grid, MutableFaceGraph& out,
     surface.points(grid.domain_points(), std::back_inserter(position));
   }
 
-  const auto point_map =
+  auto point_map =
     parameter(np, CGAL::internal_np::vertex_point, get_property_map(CGAL::vertex_point, out));
   const std::vector<Triangle> triangles = triangulate(grid, position);
   const Triangle_soup soup(int(position.size()), triangles);

@@ -9,7 +9,6 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_LOCATION_FACE_TREE_H
 
 #include <CGAL/Simple_manifolds/Triangle.h>
-#include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 
 #include <CGAL/assertions.h>
 

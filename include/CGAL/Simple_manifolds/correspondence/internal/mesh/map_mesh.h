@@ -167,7 +167,7 @@ void write_domain_points(const Vertices& vertex, const std::vector<int>& index,
                          const Manifold_map<Atlas>& map, const NamedParameters& np)
 {
   if constexpr (has_parameter<internal_np::domain_point_map_t, NamedParameters>) {
-    const auto& domain_point = parameter(np, internal_np::domain_point_map);
+    auto domain_point = parameter(np, internal_np::domain_point_map);
     for (std::size_t i = 0; i < vertex.size(); ++i)
       if (index[i] >= 0) put_vector(domain_point, vertex[i], map.domain_point(index[i]));
   }

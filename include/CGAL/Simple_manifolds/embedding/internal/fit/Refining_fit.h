@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_REFINING_FIT_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_REFINING_FIT_H
 
+#include <CGAL/Simple_manifolds/atlas/canonical_surfaces.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_options.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
@@ -269,12 +270,11 @@ typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Vis
 #ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
 template <class Atlas>
 using Default_fit = Refining_fit<Manifold_map<Atlas>, Smoothstep_bump<2>>;
-CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Default_fit<Plane_atlas>::Surface
-Default_fit<Plane_atlas>::run(const Visitor_reference&);
-CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Default_fit<Sphere_atlas>::Surface
-Default_fit<Sphere_atlas>::run(const Visitor_reference&);
-CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Default_fit<Torus_atlas>::Surface
-Default_fit<Torus_atlas>::run(const Visitor_reference&);
+#define CGAL_SIMPLE_MANIFOLDS_DEFAULT_FIT(Atlas)                                                             \
+  CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Default_fit<Atlas>::Surface Default_fit<Atlas>::run(                     \
+    const Visitor_reference&);
+CGAL_SIMPLE_MANIFOLDS_FOR_EACH_ATLAS(CGAL_SIMPLE_MANIFOLDS_DEFAULT_FIT)
+#undef CGAL_SIMPLE_MANIFOLDS_DEFAULT_FIT
 #endif
 
 } // namespace internal

@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_LOCATION_POINT_LOCATOR_H
-#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_LOCATION_POINT_LOCATOR_H
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_POINT_LOCATOR_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_POINT_LOCATOR_H
 
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/location/Face_sheet.h>
@@ -15,43 +15,54 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+/// \file
+
 namespace CGAL {
 namespace Simple_manifolds {
-namespace internal {
 
-// A face that contains a point, with the signs of its three sides: none negative, 0 on the side.
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// A face that contains a point, with the signs of its three sides: none negative, 0 on the side.
 struct Located_face {
-  int face = -1;
-  std::array<int, 3> sign = {{0, 0, 0}};
+  int face = -1;                         ///< -1: none
+  std::array<int, 3> sign = {{0, 0, 0}}; ///< of side k, from corner k to the next
 };
 
-// Finds the face of a certified map that contains a point: by a short walk from a hint, or by a tree; exact
-// signs decide in both. Keeps no mesh: the caller hands in the same points and faces each time. Const members
-// are thread safe.
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// Finds the face of a triangulation of a canonical surface that contains a point: by a short walk from a hint, or by a
+/// tree; exact signs decide in both. Keeps no triangulation: the caller hands in the same points and faces each time.
+/// Const members are thread safe. `Manifold_map::to_mesh()` is made of it.
+///
+/// \tparam Atlas  a model of `ManifoldAtlas`
 template <class Atlas>
 class Point_locator {
 public:
-  using Domain_point = typename Atlas::Domain_point;
-  using Points = std::vector<Domain_point>;
-  using Faces = std::vector<Triangle>;
+  using Domain_point = typename Atlas::Domain_point; ///< a point of the canonical surface
+  using Points = std::vector<Domain_point>;          ///< of the vertices
+  using Faces = std::vector<Triangle>;               ///< positions in the points
 
+  /// \param points, faces  the triangulation; all faces are positive and cover the surface once
+  /// \param opposite  per side 3 f + k of the faces, from corner k to the next, that on its other side, or -1
   Point_locator(const Atlas& atlas, const Points& points, const Faces& faces, std::vector<int> opposite)
     : opposite_(std::move(opposite)), tree_(atlas, points, faces)
   {
   }
 
-  // \param hint  a face to start from, or -1
+  /// The face that contains `x`.
+  /// \param hint  a face to start from, or -1
   Located_face locate(const Atlas& atlas, const Points& points, const Faces& faces, const Domain_point& x,
                       int hint) const
   {
     Located_face located;
     if (hint != -1 && walk(atlas, points, faces, x, hint, located)) return located;
     tree_.find(atlas, x, [&](int f) {
-      const Face_sheet<Atlas> sheet(atlas, points, faces[f], x);
+      const internal::Face_sheet<Atlas> sheet(atlas, points, faces[f], x);
       for (int k = 0; k < 3; ++k)
         if ((located.sign[k] = sheet.side(k)) < 0) return false;
       located.face = f;
@@ -60,6 +71,7 @@ public:
     return located;
   }
 
+  /// The memory that it takes.
   std::size_t bytes() const { return opposite_.capacity() * sizeof(int) + tree_.bytes(); }
 
 private:
@@ -68,7 +80,7 @@ private:
   bool walk(const Atlas& atlas, const Points& points, const Faces& faces, const Domain_point& x, int f,
             Located_face& located) const
   {
-    Face_sheet<Atlas> sheet(atlas, points, faces[f], x);
+    internal::Face_sheet<Atlas> sheet(atlas, points, faces[f], x);
     int came_through = -1;
     std::uint32_t random = 2463534242u;
     for (int steps = 0;; ++steps) {
@@ -93,11 +105,10 @@ private:
   }
 
   std::vector<int> opposite_; // per corner 3 f + k: the half-edge beyond side k of f, or -1
-  Face_tree<Atlas> tree_;
+  internal::Face_tree<Atlas> tree_;
 };
 
-} // namespace internal
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_LOCATION_POINT_LOCATOR_H
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_POINT_LOCATOR_H
