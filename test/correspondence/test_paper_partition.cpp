@@ -129,6 +129,13 @@ Mesh_map<Mesh, Atlas> mapped(const Mesh& mesh, Partition_report& report)
   REQUIRE(map.number_of_input_vertices() == num_vertices(mesh));
   for (const Vertex v : vertices(mesh))
     CHECK(map.point(v) == Vector3d(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()));
+  std::size_t parts = 0;
+  for (const auto f : faces(mesh)) {
+    parts += map.parts(f).size();
+    const Vector3d centre = Vector3d::Constant(1. / 3);
+    if (is_triangle(halfedge(f, mesh), mesh)) CHECK(map.to_mesh(map.to_domain(f, centre)).mesh_face == f);
+  }
+  CHECK(parts + map.number_of_virtual_faces() == map.number_of_faces());
   CHECK(report.tile.size() == report.faces.size());
   CHECK(std::set<int>(report.tile.begin(), report.tile.end()).size() == Atlas::number_of_charts());
   return map;

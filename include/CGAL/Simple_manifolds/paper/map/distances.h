@@ -91,12 +91,13 @@ typename boost::graph_traits<Graph>::vertex_descriptor farthest_vertex(const Gra
 ///
 /// Vertices that are far from each other: the first is farthest from the first vertex of the mesh, each other
 /// one farthest from those before. For two vertices, this finds a diameter or nearly so.
-/// \pre `mesh` has at least `n` vertices
+/// In a mesh of fewer than `n` vertices some come again.
+/// \pre `mesh` has vertices
 template <class FaceGraph>
 std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> far_vertices(const FaceGraph& mesh,
                                                                                      int n)
 {
-  CGAL_precondition(n <= static_cast<int>(num_vertices(mesh)));
+  CGAL_precondition(num_vertices(mesh) > 0);
   const auto distance = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
   std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> result{*vertices(mesh).begin()};
   edge_distances(mesh, result, distance);
