@@ -306,6 +306,103 @@ TEST_CASE("When a result is rejected, the map is begun anew with better conditio
   }
 }
 
+namespace {
+
+// No more than the page LayoutGeometry promises: the sphere's geometry behind a wall.
+class Geometry_archetype {
+public:
+  using Point = Sphere_geometry::Point;
+  using Neighbour = int;
+
+  explicit Geometry_archetype(int n) : sphere_(n) {}
+
+  const double total_area = Sphere_geometry::total_area; // of the object
+  const int minimum_vertices = Sphere_geometry::minimum_vertices;
+
+  const Point& position(int v) const { return sphere_.position(v); }
+  void set_position(int v, const Point& p) { sphere_.set_position(v, p); }
+  bool is_removable(int v) const { return sphere_.is_removable(v); }
+  bool is_admissible(int u, const std::vector<int>& ring, int i) const
+  {
+    return sphere_.is_admissible(u, ring, i);
+  }
+  void renumber(const Collapse_hierarchy& mesh) { sphere_.renumber(mesh); }
+  bool lay_out_base(const Collapse_hierarchy& mesh) { return sphere_.lay_out_base(mesh); }
+  void start_level(const Collapse_hierarchy& mesh) { sphere_.start_level(mesh); }
+  void restore(const Corner_table& t, int h) { sphere_.restore(t, h); }
+  bool update_metric(const Collapse_hierarchy& mesh, const std::vector<Face_target>& targets,
+                     const Distortion_energy& energy)
+  {
+    return sphere_.update_metric(mesh, targets, energy);
+  }
+  Neighbour neighbour(const Corner_table& t, int h) const { return t.target(h); }
+  const Point& seen(Neighbour v) const { return sphere_.position(v); }
+  double squared_length(const Point& d) const { return d.squaredNorm(); }
+  double twice_area(const Point& p, const Point& a, const Point& b) const { return p.dot(a.cross(b)); }
+  Quadratic_model model(const Star<Geometry_archetype>& star, const Distortion_energy& energy) const
+  {
+    return sphere_.model(same(star), energy);
+  }
+  void attract(Quadratic_model& m, const Point& p, const Point& target, double weight) const
+  {
+    Sphere_geometry::attract(m, p, target, weight);
+  }
+  double squared_distance(const Point& p, const Point& q) const { return (p - q).squaredNorm(); }
+  template <class Landmarks>
+  void align(const Landmarks& landmarks)
+  {
+    sphere_.align(landmarks);
+  }
+  Vector2d newton_step(const Quadratic_model& m) const { return sphere_.newton_step(m); }
+  Point moved(const Star<Geometry_archetype>& star, const Vector2d& t) const
+  {
+    return sphere_.moved(same(star), t);
+  }
+  int degrees_of_freedom(int v) const { return sphere_.degrees_of_freedom(v); }
+  Vector2d side_direction(int v) const { return sphere_.side_direction(v); }
+  Gnomonic_chart chart(const Point& origin, const std::vector<Point>& ring) const { return {origin, ring}; }
+
+private:
+  static Star<Sphere_geometry> same(const Star<Geometry_archetype>& star)
+  {
+    return {star.position, star.ring, star.fixed, star.sectors};
+  }
+
+  Sphere_geometry sphere_;
+};
+
+// Where `Geometry` lays the vertices of a closed mesh.
+template <class Geometry>
+std::vector<Vector3d> laid_out(const Triangle_mesh& mesh)
+{
+  const int n = static_cast<int>(mesh.points.size());
+  const Layout_problem<Vector3d> problem{mesh.points, mesh.triangles, -1, {}, {{3, Vector3d(0, 0, 1), 1.}}};
+  std::vector<Vector3d> result;
+  Default_visitor visitor;
+  REQUIRE(lay_out<CGAL::Sequential_tag>(
+    problem, Map_options(), [n](const std::vector<int>&) { return Geometry(n); },
+    [n](const Collapse_hierarchy&, const Geometry& g, const auto& number) {
+      std::vector<Vector3d> positions;
+      for (int v = 0; v < n; ++v) positions.push_back(g.position(number(v)));
+      return positions;
+    },
+    [&](std::vector<Vector3d>&& positions) {
+      result = std::move(positions);
+      return true;
+    },
+    visitor));
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("The engine needs no more of a geometry than its concept promises", "[engine]")
+{
+  Random random(7);
+  const Triangle_mesh mesh = random_sphere(200, 300, 0, random);
+  CHECK(laid_out<Geometry_archetype>(mesh) == laid_out<Sphere_geometry>(mesh));
+}
+
 TEST_CASE("Snapped coordinates lie on the grid of 2^-50", "[engine]")
 {
   for (const double x : {0.1, 1 / 3., -1.7, 1e-20, 1.9999}) {

@@ -37,7 +37,7 @@ struct Indexed_landmark {
 //  3. after each level, sweeps of single-vertex Newton steps lower the distortion. The energy is a
 //     barrier, so no face is ever inverted.
 //
-// Geometry is the domain: Sphere_geometry, Torus_geometry or Plane_geometry.
+// Geometry is the domain, a model of the concept LayoutGeometry: Sphere_geometry, Torus_geometry, Plane_geometry.
 template <class Geometry, class ConcurrencyTag>
 class Coarse_to_fine_layout {
 public:
@@ -52,7 +52,7 @@ public:
       targets_(mesh.table().number_of_half_edges() / 3)
   {
     for (std::size_t i = 0; i < landmarks_.size(); ++i) {
-      landmarks_[i].weight *= 10 * Geometry::total_area;
+      landmarks_[i].weight *= 10 * geometry.total_area;
       landmark_of_[landmarks_[i].vertex] = static_cast<int>(i);
     }
   }

@@ -135,10 +135,10 @@ bool lay_out(const Layout_problem<Point>& problem, Map_options options, const Ma
   const auto embedded = [&](int attempt) {
     Geometry geometry = make_geometry(order);
     Collapse_hierarchy mesh =
-      sorted_hierarchy(problem, order, rank, options.area_floor, Geometry::total_area);
+      sorted_hierarchy(problem, order, rank, options.area_floor, geometry.total_area);
     visitor.start_phase("decimate");
     mesh.decimate<ConcurrencyTag>(
-      Geometry::minimum_vertices, [&](int v) { return geometry.is_removable(v); },
+      geometry.minimum_vertices, [&](int v) { return geometry.is_removable(v); },
       [&](int u, const std::vector<int>& ring, int i) { return geometry.is_admissible(u, ring, i); },
       [&](int v) { return reluctance.empty() ? 1.f : reluctance[v]; },
       [&](double fraction) { visitor.progress(fraction); });
