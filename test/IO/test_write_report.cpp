@@ -1,9 +1,12 @@
 #include "catch.h"
 
+#include "../Atlas_archetype.h"
+#include "../correspondence/sample_maps.h"
 #include "../tessellation/analytic_surfaces.h"
 #include "temporary_folder.h"
 
 #include <CGAL/Simple_manifolds/IO/write_report.h>
+#include <CGAL/Simple_manifolds/embedding/fit_surface.h>
 
 #include <cstring>
 
@@ -302,4 +305,21 @@ TEST_CASE("control cells of a linear spline of any level lie on it")
   std::vector<int> charts;
   CHECK(SM::internal::control_cells(surface, charts).size() == 4 * count);
   CHECK(charts == std::vector<int>(count, 0));
+}
+
+TEST_CASE("a report shows surfaces over an atlas of one's own, as its charts")
+{
+  const Temporary_folder folder;
+  const auto m = sample::torus_grid(48, 30, {0.01, 0.02});
+  const archetype::Atlas atlas(std::array<int, 2>{{8, 5}});
+  const SM::Manifold_map<archetype::Atlas> map(m.points, m.faces, m.domain_points, m.points.size(), 0,
+                                               SM::Input_indices(), atlas);
+  SM::Fit_report fit;
+  const auto surface = SM::fit_surface(map, SM::parameters::rms_error(0.01).fit_report(std::ref(fit)));
+  SM::write_report(folder("r.html"), map, surface, fit, nlohmann::ordered_json::object(), page);
+  const Report report(folder.read("r.html"));
+  const nlohmann::json& facts = report.info["atlas"];
+  CHECK(facts["name"] == "archetype");
+  CHECK(facts["charts"].size() == 40);
+  CHECK(facts["shapes"].size() == 1);
 }
