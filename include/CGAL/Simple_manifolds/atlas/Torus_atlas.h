@@ -237,8 +237,8 @@ public:
   Domain_point tile_point(int tile, double s, double t) const
   {
     CGAL_precondition(0 <= tile && tile < number_of_charts());
-    const auto place = [](int i, double s) {
-      const double x = 1 + 2 * (i + s); // in sixths; exact at s = 0 and s = 1
+    const auto place = [](int i, double r) {
+      const double x = 1 + 2 * (i + r); // in sixths; exact at r = 0 and r = 1
       return (x < 6 ? x : x - 6) / 6;
     };
     return {place(tile % 3, s), place(tile / 3, t)};

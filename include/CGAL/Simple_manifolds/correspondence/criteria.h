@@ -53,7 +53,7 @@ struct Criteria_report {
   std::vector<int> first_outside;       ///< up to 16 vertices that violate criterion 3
 
   /// Criterion 4 as a share of the vertices.
-  double convex_share() const { return vertices > 0 ? double(convex_stars) / vertices : 0; }
+  double convex_share() const { return vertices > 0 ? double(convex_stars) / double(vertices) : 0; }
 
   /// Whether criteria 2 and 3 hold at each vertex.
   bool holds_at_each_vertex() const { return charts.stars_without_chart + vertices_outside == 0; }
@@ -151,7 +151,7 @@ Criteria_report criteria_report(const Atlas& atlas,
   const double mean = double(report.vertices) / atlas.number_of_charts();
   if (mean > 0)
     for (std::size_t n : report.charts.chart_counts)
-      report.largest_deviation = (std::max)(report.largest_deviation, std::abs(n / mean - 1));
+      report.largest_deviation = (std::max)(report.largest_deviation, std::abs(double(n) / mean - 1));
   return report;
 }
 

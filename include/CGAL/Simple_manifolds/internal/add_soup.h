@@ -37,7 +37,9 @@ public:
     edges_.reserve(edges);
     faces_.reserve(faces);
     // A Surface_mesh that lacks memory for one of the properties of a new edge would keep half of the edge.
-    reserve(mesh, num_vertices(mesh) + vertices, num_edges(mesh) + edges, num_faces(mesh) + faces);
+    reserve(mesh, typename Graph_traits::vertices_size_type(num_vertices(mesh) + vertices),
+            typename Graph_traits::edges_size_type(num_edges(mesh) + edges),
+            typename Graph_traits::faces_size_type(num_faces(mesh) + faces));
   }
   Added_elements(const Added_elements&) = delete;
   Added_elements& operator=(const Added_elements&) = delete;

@@ -259,8 +259,8 @@ private:
   // Whether the edge a b is shorter in the domain than the edge c d; equal are edges that differ by rounding.
   bool is_shorter(int a, int b, int c, int d) const
   {
-    const auto squared_length = [this](int a, int b) {
-      return atlas_.squared_distance(domain_points_[a], domain_points_[b]);
+    const auto squared_length = [this](int v, int w) {
+      return atlas_.squared_distance(domain_points_[v], domain_points_[w]);
     };
     return squared_length(a, b) < (1 - 1e-6) * squared_length(c, d);
   }

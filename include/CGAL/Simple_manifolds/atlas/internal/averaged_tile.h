@@ -26,7 +26,7 @@ namespace internal {
 inline std::array<Eigen::Vector3d, 2> chart_lines(const Sphere_atlas& atlas, int axis, int sign,
                                                   int next_sign, double x)
 {
-  const auto chart_of = [](int axis, int sign) { return 2 * ((4 - axis) % 3) + (sign < 0); };
+  const auto chart_of = [](int a, int s) { return 2 * ((4 - a) % 3) + (s < 0); };
   const auto quarter = [](bool is_last) { return is_last ? 0.75 : 0.25; };
   // u falls with the coordinate along the edge in a chart of positive sign, and grows in one of negative sign
   const double u = sign > 0 ? 0.75 - x / 2 : 0.25 + x / 2;

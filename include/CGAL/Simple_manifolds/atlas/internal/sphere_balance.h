@@ -89,8 +89,9 @@ public:
     const std::size_t n = (std::min)(points.size(), largest_sample);
     Xorshift random;
     for (std::size_t i = 0; i < n; ++i) {
-      const double place = n < points.size() ? i + (random.number() + 1) / 2 : double(i);
-      sample_.push_back(points[(std::min)(points.size() - 1, std::size_t(place * points.size() / n))]);
+      const double place = n < points.size() ? double(i) + (random.number() + 1) / 2 : double(i);
+      sample_.push_back(
+        points[(std::min)(points.size() - 1, std::size_t(place * double(points.size()) / double(n)))]);
     }
     find_rotations();
   }

@@ -29,7 +29,7 @@ namespace internal {
 // Numbers the vertices by the edges of the tree of a breadth first search.
 template <class Graph, class DistanceMap>
 struct Distance_visitor : boost::default_bfs_visitor {
-  explicit Distance_visitor(DistanceMap distance) : distance(distance) {}
+  explicit Distance_visitor(DistanceMap distance_map) : distance(distance_map) {}
   template <class Edge>
   void tree_edge(const Edge& e, const Graph& graph) const
   {

@@ -70,8 +70,8 @@ struct Path_visitor : boost::default_bfs_visitor {
     vertex_descriptor target;
   };
 
-  Path_visitor(const IsTarget& is_target, PredecessorMap predecessor)
-    : is_target(is_target), predecessor(predecessor)
+  Path_visitor(const IsTarget& target_test, PredecessorMap predecessor_map)
+    : is_target(target_test), predecessor(predecessor_map)
   {
   }
 

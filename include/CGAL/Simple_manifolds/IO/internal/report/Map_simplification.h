@@ -120,7 +120,7 @@ private:
   struct Visitor : Surface_mesh_simplification::Edge_collapse_visitor_base<Mesh> {
     using Profile = typename Surface_mesh_simplification::Edge_collapse_visitor_base<Mesh>::Profile;
 
-    explicit Visitor(Old_vertices old) : old(std::move(old)) {}
+    explicit Visitor(Old_vertices vertices) : old(std::move(vertices)) {}
 
     template <class Optional_point>
     void OnCollapsing(const Profile& profile, const Optional_point& place)

@@ -94,6 +94,11 @@ private:
   struct Entry {
     std::uint32_t index : 27, detail : 5;
   };
+  static Entry entry(std::size_t index, int detail)
+  {
+    CGAL_assertion(index < std::size_t(1) << 27);
+    return {std::uint32_t(index) & ((1u << 27) - 1), std::uint32_t(detail) & 31u};
+  }
   static constexpr int finest = maximum_levels - 1;
   static constexpr int root_limit = 32; // entries per side of the first table, unless the base grid is finer
   static constexpr int table_depth = 5; // levels that a further table adds at most
@@ -171,8 +176,7 @@ private:
       if (k == table.level) {
         const int more = (std::min)(depth(k, i, j), table_depth);
         const std::size_t first = t_.table_.size();
-        CGAL_assertion(first < std::size_t(1) << 27);
-        t_.table_[place(table, i, j)] = {std::uint32_t(first), std::uint32_t(maximum_levels + more)};
+        t_.table_[place(table, i, j)] = entry(first, maximum_levels + more);
         t_.table_.resize(first + (std::size_t(1) << 2 * more));
         table = {k + more, first, 1 << more};
       }
@@ -186,13 +190,11 @@ private:
 
     void add_leaf(int k, int i, int j, const Controls& controls, const Table& table)
     {
-      const std::size_t number = t_.size();
-      CGAL_assertion(number < std::size_t(1) << 27);
+      const Entry leaf = entry(t_.size(), k);
       t_.controls_.insert(t_.controls_.end(), controls.begin(), controls.end());
-      const Entry entry = {std::uint32_t(number), std::uint32_t(k)};
       const int more = table.level - k, width = 1 << more;
       for (int p = 0; p < width; ++p)
-        for (int q = 0; q < width; ++q) t_.table_[place(table, (i << more) + p, (j << more) + q)] = entry;
+        for (int q = 0; q < width; ++q) t_.table_[place(table, (i << more) + p, (j << more) + q)] = leaf;
     }
 
     static std::size_t place(const Table& table, int i, int j)

@@ -44,7 +44,7 @@ struct Collapse_recorder : Surface_mesh_simplification::Edge_collapse_visitor_ba
   using vertex_descriptor = Working_mesh::Vertex_index;
   using Profile = Surface_mesh_simplification::Edge_collapse_visitor_base<Working_mesh>::Profile;
 
-  explicit Collapse_recorder(std::vector<Removed_vertex>& removed) : removed(&removed) {}
+  explicit Collapse_recorder(std::vector<Removed_vertex>& record) : removed(&record) {}
 
   static std::vector<int> ring_of(const Working_mesh& mesh, vertex_descriptor v)
   {
