@@ -47,8 +47,8 @@ bool is_consistent(const Corner_table& t, int vertices, int faces)
 Collapse_hierarchy decimated(const Triangle_mesh& mesh, int minimum)
 {
   Collapse_hierarchy h(mesh.points, mesh.triangles, std::vector<float>(mesh.triangles.size(), 1.f), -1);
-  h.decimate<CGAL::Sequential_tag>(
-    minimum, [](int) { return true; }, [](int, const std::vector<int>&, int) { return true; },
+  h.decimate(
+    false, minimum, [](int) { return true; }, [](int, const std::vector<int>&, int) { return true; },
     [](int) { return 1.f; }, [](double) {});
   return h;
 }
@@ -288,8 +288,8 @@ TEST_CASE("When a result is rejected, the map is begun anew with better conditio
     Layout_problem<Vector3d> problem{mesh.points, mesh.triangles};
     problem.rejected_attempts = rejected;
     std::vector<Vector3d> result;
-    const bool embedded = lay_out<CGAL::Sequential_tag>(
-      problem, Map_options(), [](const std::vector<int>&) { return Sphere_geometry(60); },
+    const bool embedded = lay_out(
+      false, problem, Map_options(), [](const std::vector<int>&) { return Sphere_geometry(60); },
       [](const Collapse_hierarchy&, const Sphere_geometry& g, const auto& number) {
         std::vector<Vector3d> positions;
         for (int v = 0; v < 60; ++v) positions.push_back(g.position(number(v)));

@@ -30,11 +30,28 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
+// A function of a piece of a range behind one type, so that what runs pieces at the same time is compiled once. It
+// must outlive this.
+class Piece_function {
+public:
+  template <class F>
+  explicit Piece_function(const F& f)
+    : function_(&f),
+      call_([](const void* g, int first, int last) { (*static_cast<const F*>(g))(first, last); })
+  {
+  }
+
+  void operator()(int first, int last) const { call_(function_, first, last); }
+
+private:
+  const void* function_;
+  void (*call_)(const void*, int, int);
+};
+
 #ifdef CGAL_SIMPLE_MANIFOLDS_USE_STD_THREADS
 // In place of TBB for the thread sanitizer, which cannot look into TBB's library: there it sees races where TBB
 // synchronises, and what hides them would hide ours. Relaxed, since the counter must not order the pieces.
-template <class F>
-void run_pieces(int begin, int end, int grain, const F& f)
+inline void run_pieces(int begin, int end, int grain, const Piece_function& f)
 {
   std::atomic<int> next(begin);
   std::exception_ptr error;
@@ -54,62 +71,13 @@ void run_pieces(int begin, int end, int grain, const F& f)
   if (error) std::rethrow_exception(error);
 }
 #elif defined(CGAL_LINKED_WITH_TBB)
-template <class F>
-void run_pieces(int begin, int end, int grain, const F& f)
+inline void run_pieces(int begin, int end, int grain, const Piece_function& f)
 {
   tbb::parallel_for(
     tbb::blocked_range<int>(begin, end, grain),
     [&](const tbb::blocked_range<int>& r) { f(r.begin(), r.end()); }, tbb::simple_partitioner());
 }
 #endif
-
-// Calls f(first, last) for pieces that partition [begin,end). The pieces may run at the same time
-// under Parallel_tag, so f must give the same result in any order: then it does for any number of
-// threads. Short ranges are not worth a task switch and run here.
-template <class ConcurrencyTag, class F>
-void parallel_for(int begin, int end, const F& f)
-{
-  constexpr int grain = 1024;
-#ifdef CGAL_LINKED_WITH_TBB
-  if (std::is_convertible<ConcurrencyTag, Parallel_tag>::value && end - begin > 2 * grain) {
-    run_pieces(begin, end, grain, f);
-    return;
-  }
-#else
-  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
-                "Parallel_tag needs TBB: link CGAL::TBB_support, or use Parallel_if_available_tag");
-  (void)grain;
-#endif
-  if (begin < end) f(begin, end);
-}
-
-// Calls f(k) for k = 0, ..., count-1: few heavy tasks, which may run at the same time.
-template <class ConcurrencyTag, class F>
-void parallel_tasks(int count, const F& f)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if (std::is_convertible<ConcurrencyTag, Parallel_tag>::value && count > 1) {
-    run_pieces(0, count, 1, [&](int first, int last) {
-      for (int k = first; k < last; ++k) f(k);
-    });
-    return;
-  }
-#else
-  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
-                "Parallel_tag needs TBB: link CGAL::TBB_support, or use Parallel_if_available_tag");
-#endif
-  for (int k = 0; k < count; ++k) f(k);
-}
-
-// The same by a flag: what follows is compiled once, not once per tag.
-template <class F>
-void run_tasks(bool is_parallel, int count, const F& f)
-{
-  if (is_parallel)
-    parallel_tasks<Parallel_if_available_tag>(count, f);
-  else
-    parallel_tasks<Sequential_tag>(count, f);
-}
 
 // Whether a tag asks for threads.
 template <class ConcurrencyTag>
@@ -120,6 +88,52 @@ constexpr bool is_parallel()
   static_assert(!result, "Parallel_tag needs TBB: link CGAL::TBB_support, or use Parallel_if_available_tag");
 #endif
   return result;
+}
+
+// Calls f(first, last) for pieces that partition [begin,end). The pieces may run at the same time if `has_threads`, so
+// f must give the same result in any order: then it does for any number of threads. Short ranges are not worth a task
+// switch and run here.
+template <class F>
+void parallel_for(bool has_threads, int begin, int end, const F& f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  constexpr int grain = 1024;
+  if (has_threads && end - begin > 2 * grain) {
+    run_pieces(begin, end, grain, Piece_function(f));
+    return;
+  }
+#else
+  (void)has_threads;
+#endif
+  if (begin < end) f(begin, end);
+}
+template <class ConcurrencyTag, class F>
+void parallel_for(int begin, int end, const F& f)
+{
+  parallel_for(is_parallel<ConcurrencyTag>(), begin, end, f);
+}
+
+// Calls f(k) for k = 0, ..., count-1: few heavy tasks, which may run at the same time.
+template <class F>
+void parallel_tasks(bool has_threads, int count, const F& f)
+{
+  const auto piece = [&f](int first, int last) {
+    for (int k = first; k < last; ++k) f(k);
+  };
+#ifdef CGAL_LINKED_WITH_TBB
+  if (has_threads && count > 1) {
+    run_pieces(0, count, 1, Piece_function(piece));
+    return;
+  }
+#else
+  (void)has_threads;
+#endif
+  piece(0, count);
+}
+template <class ConcurrencyTag, class F>
+void parallel_tasks(int count, const F& f)
+{
+  parallel_tasks(is_parallel<ConcurrencyTag>(), count, f);
 }
 
 } // namespace internal

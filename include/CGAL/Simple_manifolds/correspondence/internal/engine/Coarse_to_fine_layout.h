@@ -38,7 +38,7 @@ struct Indexed_landmark {
 //     barrier, so no face is ever inverted.
 //
 // Geometry is the domain, a model of the concept LayoutGeometry: Sphere_geometry, Torus_geometry, Plane_geometry.
-template <class Geometry, class ConcurrencyTag>
+template <class Geometry>
 class Coarse_to_fine_layout {
 public:
   using Star = internal::Star<Geometry>;
@@ -46,10 +46,11 @@ public:
 
   // mesh: decimated, with masses that are the target areas of the vertices. landmarks: for its vertices.
   Coarse_to_fine_layout(Collapse_hierarchy& mesh, Geometry& geometry, const Map_options& options,
-                        double shape_floor, const std::vector<Indexed_landmark<Point>>& landmarks)
+                        double shape_floor, const std::vector<Indexed_landmark<Point>>& landmarks,
+                        bool is_parallel)
     : mesh_(mesh), geometry_(geometry), energy_(options), options_(options), shape_floor_(shape_floor),
       landmarks_(landmarks), landmark_of_(landmarks.empty() ? 0 : mesh.number_of_vertices(), -1),
-      targets_(mesh.table().number_of_half_edges() / 3)
+      targets_(mesh.table().number_of_half_edges() / 3), is_parallel_(is_parallel)
   {
     for (std::size_t i = 0; i < landmarks_.size(); ++i) {
       landmarks_[i].weight *= 10 * geometry.total_area;
@@ -108,7 +109,7 @@ private:
   {
     const Corner_table& t = mesh_.table();
     const bool is_finest = mesh_.level() == mesh_.number_of_levels();
-    parallel_for<ConcurrencyTag>(0, mesh_.number_of_active_faces(), [&](int first, int last) {
+    parallel_for(is_parallel_, 0, mesh_.number_of_active_faces(), [&](int first, int last) {
       for (int f = first; f < last; ++f) {
         if (mesh_.is_virtual_face(f)) {
           targets_[f] = Face_target();
@@ -127,12 +128,12 @@ private:
     });
   }
 
-  void build_stars() { stars_.template build<ConcurrencyTag>(mesh_, geometry_, targets_); }
+  void build_stars() { stars_.build(is_parallel_, mesh_, geometry_, targets_); }
 
   bool place(int first, int last)
   {
     std::atomic<bool> all_placed(true);
-    parallel_for<ConcurrencyTag>(first, last, [&](int begin, int end) {
+    parallel_for(is_parallel_, first, last, [&](int begin, int end) {
       Star star;
       Star_kernel kernel;
       for (int v = begin; v < end; ++v) {
@@ -191,7 +192,7 @@ private:
       for (int v = 0; v < mesh_.level_end(0); ++v) relax(v, star);
       // The vertices of a level are not adjacent: any order, and any number of threads, gives the same.
       for (int l = 1; l <= mesh_.level(); ++l)
-        parallel_for<ConcurrencyTag>(mesh_.level_end(l - 1), mesh_.level_end(l), [&](int first, int last) {
+        parallel_for(is_parallel_, mesh_.level_end(l - 1), mesh_.level_end(l), [&](int first, int last) {
           Star local;
           for (int v = first; v < last; ++v) relax(v, local);
         });
@@ -249,7 +250,8 @@ private:
   std::vector<Indexed_landmark<Point>> landmarks_;
   std::vector<int> landmark_of_;     // per vertex, -1: none; empty without landmarks
   std::vector<Face_target> targets_; // of the active faces
-  typename Star::Table stars_;       // of the active vertices
+  bool is_parallel_;
+  typename Star::Table stars_; // of the active vertices
 };
 
 } // namespace internal

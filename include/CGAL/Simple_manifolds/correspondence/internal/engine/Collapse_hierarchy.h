@@ -71,8 +71,8 @@ public:
   // Removes vertices until `minimum` are left or none can go. removable(v): may v be removed at all?
   // admissible(u, ring, i): may u be merged into ring[i], beyond the link condition? reluctance(v): a factor of
   // the cost of removing v.
-  template <class ConcurrencyTag, class Removable, class Admissible, class Reluctance, class Progress>
-  void decimate(int minimum, const Removable& removable, const Admissible& admissible,
+  template <class Removable, class Admissible, class Reluctance, class Progress>
+  void decimate(bool is_parallel, int minimum, const Removable& removable, const Admissible& admissible,
                 const Reluctance& reluctance, const Progress& progress)
   {
     const int n = number_of_vertices();
@@ -85,7 +85,7 @@ public:
     int degree_bound = 8, cap = 64;
     while (static_cast<int>(active.size()) > minimum) {
       candidates.assign(active.size(), Candidate());
-      parallel_for<ConcurrencyTag>(0, static_cast<int>(active.size()), [&](int first, int last) {
+      parallel_for(is_parallel, 0, static_cast<int>(active.size()), [&](int first, int last) {
         Ring_buffer buffer;
         for (int i = first; i < last; ++i)
           if (active[i] != apex_ && table_.degree(active[i]) <= degree_bound && removable(active[i]))

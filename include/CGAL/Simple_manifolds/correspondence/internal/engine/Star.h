@@ -33,8 +33,8 @@ public:
     float area;
   };
 
-  template <class ConcurrencyTag, class Geometry>
-  void build(const Collapse_hierarchy& mesh, const Geometry& geometry,
+  template <class Geometry>
+  void build(bool is_parallel, const Collapse_hierarchy& mesh, const Geometry& geometry,
              const std::vector<Face_target>& targets)
   {
     const int n = mesh.number_of_active_vertices();
@@ -48,7 +48,7 @@ public:
     sector_.reserve(t.number_of_half_edges());
     neighbour_.resize(offset_[n]);
     sector_.resize(offset_[n]);
-    parallel_for<ConcurrencyTag>(0, n, [&](int begin, int end) {
+    parallel_for(is_parallel, 0, n, [&](int begin, int end) {
       for (int v = begin; v < end; ++v) {
         int i = offset_[v];
         t.for_each_outgoing(first_half_edge(mesh, v), [&](int h) {

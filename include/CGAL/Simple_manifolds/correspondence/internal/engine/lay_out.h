@@ -118,9 +118,9 @@ Collapse_hierarchy sorted_hierarchy(const Layout_problem<Point>& problem, const 
 //
 // The shape of the faces only guides the energy, so when doubles do not suffice the map is begun anew with
 // better conditioned targets, down to the purely combinatorial problem. Returns false if that fails too.
-template <class ConcurrencyTag, class Make_geometry, class Read, class Accept, class Visitor, class Point>
-bool lay_out(const Layout_problem<Point>& problem, Map_options options, const Make_geometry& make_geometry,
-             const Read& read, const Accept& accept, Visitor& visitor)
+template <class Make_geometry, class Read, class Accept, class Visitor, class Point>
+bool lay_out(bool is_parallel, const Layout_problem<Point>& problem, Map_options options,
+             const Make_geometry& make_geometry, const Read& read, const Accept& accept, Visitor& visitor)
 {
   using Geometry = std::decay_t<decltype(make_geometry(std::vector<int>()))>;
   const int n = static_cast<int>(problem.points.size());
@@ -137,8 +137,8 @@ bool lay_out(const Layout_problem<Point>& problem, Map_options options, const Ma
     Collapse_hierarchy mesh =
       sorted_hierarchy(problem, order, rank, options.area_floor, geometry.total_area);
     visitor.start_phase("decimate");
-    mesh.decimate<ConcurrencyTag>(
-      geometry.minimum_vertices, [&](int v) { return geometry.is_removable(v); },
+    mesh.decimate(
+      is_parallel, geometry.minimum_vertices, [&](int v) { return geometry.is_removable(v); },
       [&](int u, const std::vector<int>& ring, int i) { return geometry.is_admissible(u, ring, i); },
       [&](int v) { return reluctance.empty() ? 1.f : reluctance[v]; },
       [&](double fraction) { visitor.progress(fraction); });
@@ -149,7 +149,7 @@ bool lay_out(const Layout_problem<Point>& problem, Map_options options, const Ma
     visitor.start_phase("lay out");
     const auto number = [&](int v) { return mesh.number_of(rank[v]); };
     std::optional<std::decay_t<decltype(read(mesh, geometry, number))>> result;
-    if (Coarse_to_fine_layout<Geometry, ConcurrencyTag>(mesh, geometry, options, shape_floor, landmarks)
+    if (Coarse_to_fine_layout<Geometry>(mesh, geometry, options, shape_floor, landmarks, is_parallel)
           .run([&](double fraction) { visitor.progress(fraction); }) &&
         attempt >= problem.rejected_attempts)
       result = read(mesh, geometry, number);

@@ -138,8 +138,8 @@ Manifold_map<Atlas> certified_map(const Layout_problem<Point>& problem, const Na
   std::optional<Manifold_map<Atlas>> result;
   std::string fault; // of the last attempt
   Mesh_element element;
-  const bool done = lay_out<ConcurrencyTag>(
-    problem, map_options(np), make_geometry, read,
+  const bool done = lay_out(
+    is_parallel<ConcurrencyTag>(), problem, map_options(np), make_geometry, read,
     [&](auto placed) {
       visitor.start_phase("certify");
       try {

@@ -50,7 +50,7 @@ public:
   {
     errors_.assign(number_of_points(), -1); // of points that are not there
     std::vector<Sums> sums(number_of_pieces(), Sums(number_of_charts()));
-    run_tasks(is_parallel, number_of_pieces(), [&](int piece) {
+    parallel_tasks(is_parallel, number_of_pieces(), [&](int piece) {
       for_each_point(piece, [&](std::size_t k, const Domain_point& p, const Eigen::Vector3d& x, int) {
         Eigen::Vector3d e = -x;
         Sum& sum = sums[piece][partition_.atlas().tile(p)];
@@ -142,7 +142,7 @@ public:
       visitor.progress(double(first) / number_of_pieces());
       const int count = (std::min)(batch, number_of_pieces() - first);
       std::vector<Sums> distances(count, Sums(number_of_charts())), angles = distances;
-      run_tasks(is_parallel, count, [&](int piece) {
+      parallel_tasks(is_parallel, count, [&](int piece) {
         for_each_point(first + piece,
                        [&](std::size_t, const Domain_point& p, const Eigen::Vector3d& x, int face) {
                          const int c = partition_.atlas().tile(p);

@@ -132,7 +132,7 @@ public:
     constexpr int piece = 64; // consecutive cells are near one another: the search starts from the last
     const int pieces = int((cells.size() + piece - 1) / piece);
     std::vector<Fit_samples> parts(pieces);
-    run_tasks(is_parallel, pieces, [&](int k) {
+    parallel_tasks(is_parallel, pieces, [&](int k) {
       int face = -1;
       for (std::size_t c = std::size_t(k) * piece; c < cells.size() && c < std::size_t(k + 1) * piece; ++c)
         add_cell(cells[c], face, parts[k]);

@@ -110,7 +110,7 @@ public:
   {
     const std::vector<double> none(samples_.size(), 0), own = own_weights(1);
     std::vector<std::size_t> equation_bytes(charts.size());
-    run_tasks(is_parallel_, int(charts.size()), [&](int k) {
+    parallel_tasks(is_parallel_, int(charts.size()), [&](int k) {
       const int c = charts[k];
       Normal_equations equations(splines_, {c}, false);
       equations.assemble(samples_, none, own, value_, residual_, fairness_);
@@ -211,8 +211,8 @@ public:
     for (std::size_t c = 0; c < trees.size(); ++c)
       if (trees[c].size() > splines_[c].tree().size()) changed.push_back(int(c));
     if (changed.empty()) return changed;
-    run_tasks(is_parallel_, int(changed.size()),
-              [&](int k) { splines_[changed[k]].refine(std::move(trees[changed[k]])); });
+    parallel_tasks(is_parallel_, int(changed.size()),
+                   [&](int k) { splines_[changed[k]].refine(std::move(trees[changed[k]])); });
     samples_.keep_if([&](std::size_t s, std::size_t first) {
       for (std::size_t u = first; u < samples_.begin[s + 1]; ++u)
         if (samples_.views[u].chart == samples_.owner[s])
@@ -296,7 +296,7 @@ private:
     with_fit_degree(degree_, [&](auto d) {
       constexpr int piece = 1024;
       const int n = int(samples_.size());
-      run_tasks(is_parallel_, (n + piece - 1) / piece, [&](int p) {
+      parallel_tasks(is_parallel_, (n + piece - 1) / piece, [&](int p) {
         for (int s = p * piece; s < n && s < (p + 1) * piece; ++s) {
           residual_[s] = samples_.target[s];
           for (std::size_t u = samples_.begin[s]; u < samples_.begin[s + 1]; ++u) {

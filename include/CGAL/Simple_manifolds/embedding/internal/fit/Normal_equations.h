@@ -351,7 +351,7 @@ private:
     const Reach reached = reach(columns);
     const int pieces = (columns.size() + piece - 1) / piece;
     std::vector<Columns> block(pieces);
-    run_tasks(is_parallel_, pieces, [&](int p) {
+    parallel_tasks(is_parallel_, pieces, [&](int p) {
       block[p] = collect<D>(a, b, pairs, reached, p * piece, (std::min)((p + 1) * piece, columns.size()));
     });
     for (const Columns& c : block) column_bytes_ += c.entries.size() * sizeof(c.entries[0]);
@@ -364,7 +364,7 @@ private:
   template <class F>
   void for_each_piece(int count, const F& f) const
   {
-    run_tasks(is_parallel_, (count + piece - 1) / piece, [&](int p) {
+    parallel_tasks(is_parallel_, (count + piece - 1) / piece, [&](int p) {
       for (int k = p * piece; k < count && k < (p + 1) * piece; ++k) f(k);
     });
   }
