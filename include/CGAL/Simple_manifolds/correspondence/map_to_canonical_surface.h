@@ -55,9 +55,9 @@ Any_map map_arrays_to_canonical_surface(const Vertices& vertex, Mesh_arrays arra
 {
   const std::vector<int> corners = corners_of(vertex, arrays, np);
   CGAL_precondition_msg(corners.empty() || !arrays.topology.is_closed(), "a closed mesh has no corners");
-  return with_canonical_surface(arrays.topology, [&](auto type) -> Any_map {
-    return map_to<ConcurrencyTag>(type, std::move(arrays), corners, np);
-  });
+  const Map_request request = map_request<ConcurrencyTag>(np);
+  return with_canonical_surface(
+    arrays.topology, [&](auto type) -> Any_map { return map_to(type, std::move(arrays), corners, request); });
 }
 
 // The map as one of the mesh whose elements were numbered.

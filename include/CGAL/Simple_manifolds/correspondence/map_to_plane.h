@@ -34,10 +34,10 @@ std::vector<int> corners_of(const Vertices& vertex, const Mesh_arrays& a, const 
 }
 
 // corners: four vertices of the border in counterclockwise order, or none.
-template <class ConcurrencyTag, class NamedParameters>
+template <class Geometry = Plane_geometry>
 Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
                                        const std::vector<Indexed_landmark<Eigen::Vector2d>>& landmarks,
-                                       const std::vector<int>& corners, const NamedParameters& np)
+                                       const std::vector<int>& corners, const Map_request& request)
 {
   require_disk(a.topology);
   Plane_border disk(std::move(a.points), std::move(a.triangles), corners);
@@ -49,8 +49,8 @@ Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
   const auto [points, triangles] = std::move(disk).closed();
   Layout_problem<Eigen::Vector2d> problem{points, triangles, n, std::move(a.vertex_weight), landmarks};
   if (!problem.vertex_weight.empty()) problem.vertex_weight.resize(n + 1, 1.);
-  return certified_map<Plane_atlas, ConcurrencyTag>(
-    problem, np,
+  return certified_map<Plane_atlas>(
+    problem, request,
     [&](const std::vector<int>& order) {
       std::vector<unsigned char> sides(order.size(), 0);
       int apex = -1;
@@ -60,9 +60,9 @@ Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
         else
           sides[i] = disk_sides[order[i]];
       }
-      return Plane_geometry(std::move(sides), apex);
+      return Geometry(std::move(sides), apex);
     },
-    [&](const Collapse_hierarchy&, const Plane_geometry& geometry, const auto& number) {
+    [&](const Collapse_hierarchy&, const Geometry& geometry, const auto& number) {
       std::vector<Eigen::Vector2d> domain_points(n);
       for (int v = 0; v < n; ++v) domain_points[v] = geometry.position(number(v));
       return domain_points;
@@ -74,6 +74,12 @@ Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
     });
 }
 
+#ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Manifold_map<Plane_atlas>
+map_to_plane<Plane_geometry>(Mesh_arrays, const std::vector<Indexed_landmark<Eigen::Vector2d>>&,
+                             const std::vector<int>&, const Map_request&);
+#endif
+
 // vertex: the numbers of the vertices by which the parameters name them.
 template <class ConcurrencyTag, class Vertices, class NamedParameters>
 Manifold_map<Plane_atlas> map_arrays_to_plane(const Vertices& vertex, Mesh_arrays a,
@@ -82,17 +88,17 @@ Manifold_map<Plane_atlas> map_arrays_to_plane(const Vertices& vertex, Mesh_array
   const std::vector<int> corners = corners_of(vertex, a, np);
   const auto landmarks = landmarks_of<Eigen::Vector2d>(vertex, a, np);
   const std::vector<int> index = std::move(a.index);
-  Manifold_map<Plane_atlas> map = map_to_plane<ConcurrencyTag>(std::move(a), landmarks, corners, np);
+  Manifold_map<Plane_atlas> map =
+    map_to_plane<>(std::move(a), landmarks, corners, map_request<ConcurrencyTag>(np));
   write_domain_points(vertex, index, map, np);
   return map;
 }
 
 // What a choice from the list of canonical surfaces calls.
-template <class ConcurrencyTag, class NamedParameters>
-Manifold_map<Plane_atlas> map_to(Canonical_surfaces::Type<Plane_atlas>, Mesh_arrays a,
-                                 const std::vector<int>& corners, const NamedParameters& np)
+inline Manifold_map<Plane_atlas> map_to(Canonical_surfaces::Type<Plane_atlas>, Mesh_arrays a,
+                                        const std::vector<int>& corners, const Map_request& request)
 {
-  return map_to_plane<ConcurrencyTag>(std::move(a), {}, corners, np);
+  return map_to_plane<>(std::move(a), {}, corners, request);
 }
 
 } // namespace internal

@@ -22,17 +22,17 @@ namespace Simple_manifolds {
 
 namespace internal {
 
-template <class ConcurrencyTag, class NamedParameters>
+template <class Geometry = Sphere_geometry>
 Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
                                          const std::vector<Indexed_landmark<Eigen::Vector3d>>& landmarks,
-                                         const NamedParameters& np)
+                                         const Map_request& request)
 {
   require_closed_genus(a.topology, Sphere_atlas::genus());
   const int n = static_cast<int>(a.points.size());
   const Layout_problem<Eigen::Vector3d> problem{a.points, a.triangles, -1, a.vertex_weight, landmarks};
-  return certified_map<Sphere_atlas, ConcurrencyTag>(
-    problem, np, [n](const std::vector<int>&) { return Sphere_geometry(n); },
-    [&](const Collapse_hierarchy&, const Sphere_geometry& geometry, const auto& number) {
+  return certified_map<Sphere_atlas>(
+    problem, request, [n](const std::vector<int>&) { return Geometry(n); },
+    [&](const Collapse_hierarchy&, const Geometry& geometry, const auto& number) {
       std::vector<Eigen::Vector3d> domain_points(n);
       for (int v = 0; v < n; ++v) domain_points[v] = geometry.position(number(v));
       return domain_points;
@@ -43,23 +43,28 @@ Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
     });
 }
 
+#ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Manifold_map<Sphere_atlas>
+map_to_sphere<Sphere_geometry>(const Mesh_arrays&, const std::vector<Indexed_landmark<Eigen::Vector3d>>&,
+                               const Map_request&);
+#endif
+
 // vertex: the numbers of the vertices by which the parameters name them.
 template <class ConcurrencyTag, class Vertices, class NamedParameters>
 Manifold_map<Sphere_atlas> map_arrays_to_sphere(const Vertices& vertex, const Mesh_arrays& a,
                                                 const NamedParameters& np)
 {
   Manifold_map<Sphere_atlas> map =
-    map_to_sphere<ConcurrencyTag>(a, landmarks_of<Eigen::Vector3d>(vertex, a, np), np);
+    map_to_sphere<>(a, landmarks_of<Eigen::Vector3d>(vertex, a, np), map_request<ConcurrencyTag>(np));
   write_domain_points(vertex, a.index, map, np);
   return map;
 }
 
 // What a choice from the list of canonical surfaces calls.
-template <class ConcurrencyTag, class NamedParameters>
-Manifold_map<Sphere_atlas> map_to(Canonical_surfaces::Type<Sphere_atlas>, const Mesh_arrays& a,
-                                  const std::vector<int>&, const NamedParameters& np)
+inline Manifold_map<Sphere_atlas> map_to(Canonical_surfaces::Type<Sphere_atlas>, const Mesh_arrays& a,
+                                         const std::vector<int>&, const Map_request& request)
 {
-  return map_to_sphere<ConcurrencyTag>(a, {}, np);
+  return map_to_sphere<>(a, {}, request);
 }
 
 } // namespace internal

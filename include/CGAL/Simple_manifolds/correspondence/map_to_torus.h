@@ -36,17 +36,17 @@ struct Torus_placement {
   std::vector<Lifted_face> lifted_faces;
 };
 
-template <class ConcurrencyTag, class NamedParameters>
+template <class Geometry = Torus_geometry>
 Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a,
                                        const std::vector<Indexed_landmark<Eigen::Vector2d>>& landmarks,
-                                       const NamedParameters& np)
+                                       const Map_request& request)
 {
   require_closed_genus(a.topology, Torus_atlas::genus());
   const int n = static_cast<int>(a.points.size()), m = static_cast<int>(a.triangles.size());
   const Layout_problem<Eigen::Vector2d> problem{a.points, a.triangles, -1, a.vertex_weight, landmarks};
-  return certified_map<Torus_atlas, ConcurrencyTag>(
-    problem, np, [n, m](const std::vector<int>&) { return Torus_geometry(n, m); },
-    [&](const Collapse_hierarchy& mesh, Torus_geometry& geometry, const auto& number) {
+  return certified_map<Torus_atlas>(
+    problem, request, [n, m](const std::vector<int>&) { return Geometry(n, m); },
+    [&](const Collapse_hierarchy& mesh, Geometry& geometry, const auto& number) {
       geometry.wrap(mesh);
       Torus_placement placed{std::vector<Eigen::Vector2d>(n), {}};
       for (int v = 0; v < n; ++v) placed.domain_points[v] = geometry.position(number(v));
@@ -69,23 +69,28 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a,
     });
 }
 
+#ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Manifold_map<Torus_atlas>
+map_to_torus<Torus_geometry>(const Mesh_arrays&, const std::vector<Indexed_landmark<Eigen::Vector2d>>&,
+                             const Map_request&);
+#endif
+
 // vertex: the numbers of the vertices by which the parameters name them.
 template <class ConcurrencyTag, class Vertices, class NamedParameters>
 Manifold_map<Torus_atlas> map_arrays_to_torus(const Vertices& vertex, const Mesh_arrays& a,
                                               const NamedParameters& np)
 {
   Manifold_map<Torus_atlas> map =
-    map_to_torus<ConcurrencyTag>(a, landmarks_of<Eigen::Vector2d>(vertex, a, np), np);
+    map_to_torus<>(a, landmarks_of<Eigen::Vector2d>(vertex, a, np), map_request<ConcurrencyTag>(np));
   write_domain_points(vertex, a.index, map, np);
   return map;
 }
 
 // What a choice from the list of canonical surfaces calls.
-template <class ConcurrencyTag, class NamedParameters>
-Manifold_map<Torus_atlas> map_to(Canonical_surfaces::Type<Torus_atlas>, const Mesh_arrays& a,
-                                 const std::vector<int>&, const NamedParameters& np)
+inline Manifold_map<Torus_atlas> map_to(Canonical_surfaces::Type<Torus_atlas>, const Mesh_arrays& a,
+                                        const std::vector<int>&, const Map_request& request)
 {
-  return map_to_torus<ConcurrencyTag>(a, {}, np);
+  return map_to_torus<>(a, {}, request);
 }
 
 } // namespace internal

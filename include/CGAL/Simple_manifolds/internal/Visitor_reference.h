@@ -18,6 +18,13 @@ namespace internal {
 // called rarely. The visitor must outlive it.
 class Visitor_reference {
 public:
+  // No visitor.
+  Visitor_reference()
+    : visitor_(nullptr), start_phase_([](void*, const char*) {}), progress_([](void*, double) {}),
+      end_phase_([](void*) {})
+  {
+  }
+
   template <class Visitor>
   explicit Visitor_reference(Visitor& visitor)
     : visitor_(const_cast<void*>(static_cast<const void*>(&visitor))), // which may be a const one

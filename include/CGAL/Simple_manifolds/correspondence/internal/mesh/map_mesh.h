@@ -9,7 +9,6 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MAP_MESH_H
 
 #include <CGAL/Simple_manifolds/Error.h>
-#include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
 #include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
@@ -17,7 +16,10 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/Mesh_elements.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/close_borders.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/mesh_to_triangles.h>
+#include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
+#include <CGAL/Simple_manifolds/internal/compiled.h>
 #include <CGAL/Simple_manifolds/internal/named_parameters.h>
+#include <CGAL/Simple_manifolds/internal/parallel_for.h>
 #include <CGAL/Simple_manifolds/internal/put_vector.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -123,23 +125,37 @@ std::vector<Indexed_landmark<Point>> landmarks_of(const Vertices& vertex, const 
   return result;
 }
 
+// How a surface is to be mapped. No template, so that the engine is compiled once for all tags, visitors and packs of
+// parameters.
+struct Map_request {
+  Map_options options;
+  bool is_parallel;
+  Visitor_reference visitor;
+};
+
+template <class ConcurrencyTag, class NamedParameters>
+Map_request map_request(const NamedParameters& np)
+{
+  Map_request request{map_options(np), is_parallel<ConcurrencyTag>(), Visitor_reference()};
+  if constexpr (has_parameter<CGAL::internal_np::visitor_t, NamedParameters>)
+    request.visitor = Visitor_reference(parameter(np, CGAL::internal_np::visitor));
+  return request;
+}
+
 // Embeds the surface and certifies the result. read(mesh, geometry, number) takes what make_map() needs from the
 // embedding. As no uncertified map can be built, make_map() throws when the embedding is wrong; what its last
 // certificate said is handed on.
-template <class Atlas, class ConcurrencyTag, class Point, class NamedParameters, class Make_geometry,
-          class Read, class Make_map>
-Manifold_map<Atlas> certified_map(const Layout_problem<Point>& problem, const NamedParameters& np,
+template <class Atlas, class Point, class Make_geometry, class Read, class Make_map>
+Manifold_map<Atlas> certified_map(const Layout_problem<Point>& problem, const Map_request& request,
                                   const Make_geometry& make_geometry, const Read& read,
                                   const Make_map& make_map)
 {
-  Default_visitor default_visitor;
-  auto& visitor = parameter(np, CGAL::internal_np::visitor, default_visitor);
-
+  const Visitor_reference& visitor = request.visitor;
   std::optional<Manifold_map<Atlas>> result;
   std::string fault; // of the last attempt
   Mesh_element element;
   const bool done = lay_out(
-    is_parallel<ConcurrencyTag>(), problem, map_options(np), make_geometry, read,
+    request.is_parallel, problem, request.options, make_geometry, read,
     [&](auto placed) {
       visitor.start_phase("certify");
       try {
