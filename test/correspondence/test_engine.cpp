@@ -379,8 +379,8 @@ std::vector<Vector3d> laid_out(const Triangle_mesh& mesh)
   const Layout_problem<Vector3d> problem{mesh.points, mesh.triangles, -1, {}, {{3, Vector3d(0, 0, 1), 1.}}};
   std::vector<Vector3d> result;
   Default_visitor visitor;
-  REQUIRE(lay_out<CGAL::Sequential_tag>(
-    problem, Map_options(), [n](const std::vector<int>&) { return Geometry(n); },
+  REQUIRE(lay_out(
+    false, problem, Map_options(), [n](const std::vector<int>&) { return Geometry(n); },
     [n](const Collapse_hierarchy&, const Geometry& g, const auto& number) {
       std::vector<Vector3d> positions;
       for (int v = 0; v < n; ++v) positions.push_back(g.position(number(v)));

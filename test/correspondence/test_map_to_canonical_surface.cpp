@@ -263,8 +263,8 @@ TEST_CASE("When no map is one to one, the error says what the last certificate s
     return SM::Manifold_map<SM::Sphere_atlas>(mesh.points, mesh.triangles, domain_points, 60);
   };
   try {
-    SM::internal::certified_map<SM::Sphere_atlas, CGAL::Sequential_tag>(
-      problem, SM::parameters::default_values(),
+    SM::internal::certified_map<SM::Sphere_atlas>(
+      problem, SM::internal::Map_request{SM::Map_options(), false, SM::internal::Visitor_reference()},
       [](const std::vector<int>&) { return SM::internal::Sphere_geometry(60); },
       [](const SM::internal::Collapse_hierarchy&, const auto& geometry, const auto& number) {
         std::vector<Vector3d> positions;
