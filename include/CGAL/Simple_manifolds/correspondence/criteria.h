@@ -75,13 +75,18 @@ struct Criteria_report {
 
 namespace internal {
 
+inline double determinant_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+
 // Whether the polygon turns left or goes straight at each corner and all of it is seen from the origin.
 // Points in line are no longer quite so in chart coordinates.
 inline bool is_convex_round_origin(std::vector<Eigen::Vector2d> polygon, bool is_closed)
 {
   constexpr double tolerance = 1e-12;
   const auto turns_left = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return cross(a, b) >= -tolerance * a.norm() * b.norm();
+    return determinant_of(a, b) >= -tolerance * a.norm() * b.norm();
   };
   if (!is_closed) polygon.emplace_back(0, 0);
   const std::size_t n = polygon.size();
@@ -104,7 +109,7 @@ Star_criteria star_criteria(const Atlas& atlas, const Point& p, const std::vecto
   double turn = 0;
   for (std::size_t i = 0; i < star.size(); ++i) {
     const Eigen::Vector2d &a = star[i], &b = star[(i + 1) % star.size()];
-    turn += std::atan2(cross(a, b), a.dot(b));
+    turn += std::atan2(determinant_of(a, b), a.dot(b));
   }
   s.contains_vertex = !is_closed || turn > 3.14159265358979323846; // a multiple of 2 pi
   s.is_convex = s.contains_vertex && is_convex_round_origin(std::move(star), is_closed);

@@ -147,7 +147,7 @@ private:
     std::vector<Edge> edges;
     for (std::size_t i = 0; i < star.size(); ++i) {
       const std::size_t j = (i + 1) % star.size();
-      if (!(cross(star[i], star[j]) > 0))
+      if (!(determinant_of(star[i], star[j]) > 0))
         edges.insert(edges.end(), {edge(ring_[i], ring_[j]), edge(v, ring_[i]), edge(v, ring_[j])});
     }
     return edges;

@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_PAPER_MAP_CHART_CORRESPONDENCE_H
 #define CGAL_SIMPLE_MANIFOLDS_PAPER_MAP_CHART_CORRESPONDENCE_H
 
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
 #include <CGAL/Simple_manifolds/paper/map/Triangle_bins.h>
 
