@@ -81,6 +81,7 @@ private:
   int chart_;
 };
 
+/// The map of a mesh (`Mesh_map`) is taken as the map on arrays that it is.
 template <class Map>
 Map_embedding(const Map&, int) -> Map_embedding<internal::Map_on_arrays<Map>>;
 

@@ -109,6 +109,7 @@ private:
   internal::Refining_fit<Map, Bump> fit_;
 };
 
+/// The map of a mesh (`Mesh_map`) is taken as the map on arrays that it is.
 template <class Map, class Bump = Smoothstep_bump<2>>
 Surface_fitter(const Map&, const Fit_options& = Fit_options(), const Bump& = Bump())
   -> Surface_fitter<internal::Map_on_arrays<Map>, Bump>;

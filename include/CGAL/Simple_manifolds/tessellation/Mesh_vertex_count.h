@@ -91,6 +91,7 @@ private:
   int n_;
 };
 
+/// The map of a mesh (`Mesh_map`) is taken as the map on arrays that it is.
 template <class Map>
 Mesh_vertex_count(const Map&, int) -> Mesh_vertex_count<internal::Map_on_arrays<Map>>;
 

@@ -173,6 +173,7 @@ private:
   std::vector<Triangle_bins> bins_;
 };
 
+/// The map of a mesh (`Mesh_map`) is taken as the map on arrays that it is.
 template <class Map>
 Chart_correspondence(const Map&) -> Chart_correspondence<internal::Map_on_arrays<Map>>;
 
