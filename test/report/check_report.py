@@ -197,7 +197,9 @@ class Page:
                 x, y = self.middle(panel)
                 for shift in range(0, 90, 6):
                     self.browser.move_to(x + shift, y + shift / 2)
-                    tip = tip or self.tip()
+                    tip = self.tip()
+                    if tip: # and stay there
+                        break
             self.check("face" in tip, f"hovering over view {panel} shows nothing")
             if "face" not in tip:
                 continue

@@ -1,5 +1,6 @@
 // says: a Manifold_map takes positions in its arrays: for descriptors of the mesh there is the Mesh_map
 
+#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -1,4 +1,4 @@
-// says: this function does not know one of its named parameters; it knows vertex_point_map, close_borders, energy,
+// says: this function does not know one of its named parameters; it knows close_borders, energy, energy_lambda,
 
 #include <CGAL/simple_manifolds.h>
 

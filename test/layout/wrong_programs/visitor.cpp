@@ -1,5 +1,6 @@
 // says: this is no model of SimpleManifoldsVisitor (passed by std::ref): progress(double) is missing
 
+#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/refine.h>
 

@@ -34,7 +34,13 @@ template <class Function>
 Any_map with_canonical_surface(const Mesh_topology& topology, const Function& f)
 {
   std::optional<Any_map> map;
-  const auto call = [&](auto type) { map.emplace(f(type)); };
+  const auto call = [&](auto type) {
+    if constexpr (decltype(type)::Atlas::is_closed)
+      require_closed_genus(topology, static_cast<int>(topology.genus));
+    else
+      require_disk(topology);
+    map.emplace(f(type));
+  };
   // A mesh in pieces or with holes is refused by the surface that it would have otherwise.
   const long genus = topology.is_closed() ? topology.genus : 0;
   if (!Canonical_surfaces::visit_topology(topology.is_closed(), genus, call)) {
