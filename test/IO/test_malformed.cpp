@@ -667,7 +667,7 @@ TEST_CASE("malformed maps are refused")
           "m.ply",
           changed("atlas sphere", "atlas bottle"),
           E::syntax_error,
-          {"no map", "atlas torus"}},
+          {"no map", "plane, sphere, torus"}},
          {"the torus' atlas", "m.ply", changed("atlas sphere", "atlas torus"), E::syntax_error, {"domain_u"}},
          {"no domain_z", "m.ply", changed("domain_z", "domain_w"), E::syntax_error, {"domain_z", "missing"}},
          {"domain_x twice", "m.ply", changed("domain_y", "domain_x"), E::syntax_error, {"domain_x", "twice"}},
