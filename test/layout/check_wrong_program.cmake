@@ -8,7 +8,7 @@ file(STRINGS ${PROGRAM} sentence LIMIT_COUNT 1)
 if(NOT sentence MATCHES "^// says: (.+)$")
   message(FATAL_ERROR "${PROGRAM} does not start with the sentence that the compiler has to say")
 endif()
-set(sentence "${CMAKE_MATCH_1}")
+string(REPLACE "\\;" ";" sentence "${CMAKE_MATCH_1}") # which file() has escaped
 
 string(REPLACE "|" ";" includes "${INCLUDES}")
 list(TRANSFORM includes PREPEND "-I")
