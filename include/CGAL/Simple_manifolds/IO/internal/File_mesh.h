@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_FILE_MESH_H
 
 #include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/IO/Read_warning.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
 #include <Eigen/Core>
@@ -26,6 +27,18 @@ namespace internal {
 class File_mesh {
 public:
   std::vector<Eigen::Vector3d> points;
+  std::vector<Read_warning> warnings; // at most one of each kind, in the order of their first places
+
+  // One more, or `count` more, of what is passed over.
+  void warn(Read_warning::Kind kind, const std::string& first, std::size_t count = 1)
+  {
+    for (Read_warning& w : warnings)
+      if (w.kind == kind) {
+        w.count += count;
+        return;
+      }
+    warnings.push_back({kind, count, first});
+  }
 
   int number_of_vertices() const { return int(points.size()); }
   int number_of_faces() const { return int(start_.size()) - 1; }
