@@ -26,7 +26,7 @@
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 
 #include <CGAL/Simple_manifolds/Triangle.h>
-#include <CGAL/Simple_manifolds/correspondence/Input_indices.h>
+#include <CGAL/Simple_manifolds/Input_indices.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
 #include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>

@@ -5,7 +5,7 @@
 # #include lines of all headers below ROOT and names every edge that goes another way.
 
 cmake_minimum_required(VERSION 3.22)
-set(layers . atlas correspondence embedding paper tessellation IO draw.h) # . = Error.h, ..., and internal/
+set(layers . atlas repair correspondence embedding paper tessellation IO draw.h) # . = Error.h, ..., and internal/
 list(FIND layers tessellation convenience) # the last layer that simple_manifolds.h includes
 
 # The paper's method is an annex of the two layers before it, whose rooms it may use.

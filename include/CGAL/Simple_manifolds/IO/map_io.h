@@ -58,15 +58,12 @@ inline Input_indices input_indices(const Ply_file& ply, std::size_t inputs)
   Input_indices input;
   if (!ply.has_vertex_property("input_vertex")) return input;
   const std::vector<double>& column = ply.vertex_property("input_vertex");
-  double least = 0;
   for (std::size_t v = 0; v < column.size(); ++v) {
-    if (v < inputs ? !(column[v] >= least && column[v] < 2147483648. && column[v] == std::floor(column[v]))
-                   : column[v] != -1)
+    const double x = column[v];
+    if (v < inputs ? !(x >= -1 && x < 2147483648. && x == std::floor(x)) : x != -1)
       ply.fail("the input_vertex of vertex " + std::to_string(v) +
-               (v < inputs ? " is not a larger number than the one before" : " is not -1"));
-    if (v >= inputs) continue;
-    least = column[v] + 1;
-    input.vertices.push_back(static_cast<int>(column[v]));
+               (v < inputs ? " is neither a number of a vertex nor -1" : " is not -1"));
+    if (v < inputs) input.vertices.push_back(static_cast<int>(x));
   }
   return input;
 }

@@ -10,9 +10,8 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/Read_warning.h>
+#include <CGAL/Simple_manifolds/Mesh_soup.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
-
-#include <Eigen/Core>
 
 #include <limits>
 #include <string>
@@ -24,9 +23,8 @@ namespace internal {
 
 // What a mesh file holds: points and polygons of indices, in the form whose topology can be computed
 // before there is a mesh.
-class File_mesh {
+class File_mesh : public Mesh_soup {
 public:
-  std::vector<Eigen::Vector3d> points;
   std::vector<Read_warning> warnings; // at most one of each kind, in the order of their first places
 
   // One more, or `count` more, of what is passed over.
@@ -39,36 +37,6 @@ public:
       }
     warnings.push_back({kind, count, first});
   }
-
-  int number_of_vertices() const { return int(points.size()); }
-  int number_of_faces() const { return int(start_.size()) - 1; }
-  int number_of_half_edges() const { return start_.back(); }
-  int first(int f) const { return start_[f]; }
-  int last(int f) const { return start_[f + 1] - 1; }
-  int face(int h) const { return face_[h]; }
-  int next(int h) const { return h == last(face_[h]) ? first(face_[h]) : h + 1; }
-  int previous(int h) const { return h == first(face_[h]) ? last(face_[h]) : h - 1; }
-  int source(int h) const { return source_[h]; }
-  int target(int h) const { return source_[next(h)]; }
-  static constexpr bool knows_edges = false;
-  bool is_border_in_graph(int) const { return false; }
-
-  void reserve_faces(std::size_t n)
-  {
-    start_.reserve(n + 1);
-    source_.reserve(3 * n);
-    face_.reserve(3 * n);
-  }
-  // Corners are added one by one; a face is complete with end_face().
-  void add_corner(int v)
-  {
-    source_.push_back(v);
-    face_.push_back(number_of_faces());
-  }
-  void end_face() { start_.push_back(int(source_.size())); }
-
-private:
-  std::vector<int> source_, face_, start_ = {0};
 };
 
 // An index as it stands in a file; -1 stands for everything that cannot be an index.

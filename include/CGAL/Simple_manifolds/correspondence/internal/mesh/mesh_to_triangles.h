@@ -9,7 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MESH_TO_TRIANGLES_H
 
 #include <CGAL/Simple_manifolds/Error.h>
-#include <CGAL/Simple_manifolds/correspondence/Input_indices.h>
+#include <CGAL/Simple_manifolds/Input_indices.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/triangulate_polygon.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
