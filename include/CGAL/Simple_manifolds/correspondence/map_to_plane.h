@@ -94,9 +94,10 @@ Manifold_map<Plane_atlas> map_arrays_to_plane(const Vertices& vertex, Mesh_array
   return map;
 }
 
-// What a choice from the list of canonical surfaces calls.
-inline Manifold_map<Plane_atlas> map_to(Canonical_surfaces::Type<Plane_atlas>, Mesh_arrays a,
-                                        const std::vector<int>& corners, const Map_request& request)
+// What a choice from the list of canonical surfaces calls. A template, so that nobody compiles it who does not call it.
+template <class Request>
+Manifold_map<Plane_atlas> map_to(Canonical_surfaces::Type<Plane_atlas>, Mesh_arrays a,
+                                 const std::vector<int>& corners, const Request& request)
 {
   return map_to_plane<>(std::move(a), {}, corners, request);
 }

@@ -60,9 +60,10 @@ Manifold_map<Sphere_atlas> map_arrays_to_sphere(const Vertices& vertex, const Me
   return map;
 }
 
-// What a choice from the list of canonical surfaces calls.
-inline Manifold_map<Sphere_atlas> map_to(Canonical_surfaces::Type<Sphere_atlas>, const Mesh_arrays& a,
-                                         const std::vector<int>&, const Map_request& request)
+// What a choice from the list of canonical surfaces calls. A template, so that nobody compiles it who does not call it.
+template <class Request>
+Manifold_map<Sphere_atlas> map_to(Canonical_surfaces::Type<Sphere_atlas>, const Mesh_arrays& a,
+                                  const std::vector<int>&, const Request& request)
 {
   return map_to_sphere<>(a, {}, request);
 }

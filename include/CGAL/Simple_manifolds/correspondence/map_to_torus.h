@@ -86,9 +86,10 @@ Manifold_map<Torus_atlas> map_arrays_to_torus(const Vertices& vertex, const Mesh
   return map;
 }
 
-// What a choice from the list of canonical surfaces calls.
-inline Manifold_map<Torus_atlas> map_to(Canonical_surfaces::Type<Torus_atlas>, const Mesh_arrays& a,
-                                        const std::vector<int>&, const Map_request& request)
+// What a choice from the list of canonical surfaces calls. A template, so that nobody compiles it who does not call it.
+template <class Request>
+Manifold_map<Torus_atlas> map_to(Canonical_surfaces::Type<Torus_atlas>, const Mesh_arrays& a,
+                                 const std::vector<int>&, const Request& request)
 {
   return map_to_torus<>(a, {}, request);
 }
