@@ -9,6 +9,8 @@
 
 #include <new>
 
+namespace test_Atomic_file {
+
 namespace SM = CGAL::Simple_manifolds;
 using Names = std::vector<std::string>;
 
@@ -220,3 +222,5 @@ TEST_CASE("several files appear together, in different folders")
   CHECK(base.read("sub/b") == "B");
   CHECK(base.entries() == Names{"a", "sub", "sub/b", "sub/link"});
 }
+
+} // namespace test_Atomic_file

@@ -17,6 +17,8 @@
 #include <fstream>
 #include <set>
 
+namespace test_Charted_mesh {
+
 namespace {
 
 const std::vector<double>& field(const SM::Charted_mesh& mesh, const std::string& name)
@@ -187,3 +189,5 @@ TEST_CASE("CGAL reads the PLY file of a mesh, with its fields")
     for (const auto f : mesh.faces()) CHECK(chart.first[f] == written.charts[f]);
   }
 }
+
+} // namespace test_Charted_mesh

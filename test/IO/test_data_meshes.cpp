@@ -9,6 +9,8 @@
 #include <cmath>
 #include <string>
 
+namespace test_data_meshes {
+
 namespace SM = CGAL::Simple_manifolds;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
@@ -67,3 +69,5 @@ TEST_CASE("Our own meshes are closed, outward oriented and well shaped, and have
     CHECK(smallest_angle_in_degrees(mesh) > 15);
   }
 }
+
+} // namespace test_data_meshes

@@ -23,6 +23,8 @@
 #include <variant>
 #include <vector>
 
+namespace test_malformed {
+
 namespace SM = CGAL::Simple_manifolds;
 using SM::Error_code;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
@@ -847,3 +849,5 @@ TEST_CASE("short surface files that ask for much memory are refused before it is
   }
   CHECK(peak_memory_in_kilobytes() - before < 50000);
 }
+
+} // namespace test_malformed

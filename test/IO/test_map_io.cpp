@@ -13,6 +13,8 @@
 #include <cmath>
 #include <cstring>
 
+namespace test_map_io {
+
 namespace SM = CGAL::Simple_manifolds;
 using SM::Error_code;
 
@@ -176,3 +178,5 @@ TEST_CASE("what is no map, or no valid one, is refused")
   const std::string position = "end_header\n" + SM::internal::shortest(map.point(0)[0]);
   CHECK(code(replaced(good, position, "end_header\nnan")) == Error_code::non_finite_coordinate);
 }
+
+} // namespace test_map_io

@@ -29,6 +29,8 @@
 #include <iterator>
 #include <type_traits>
 
+namespace test_own_atlas {
+
 namespace {
 
 namespace SM = CGAL::Simple_manifolds;
@@ -154,3 +156,5 @@ TEST_CASE("files of maps and surfaces over an atlas of one's own keep its number
   CHECK(mesh.is_valid());
   CHECK(mesh.fields[2].name == "domain_a");
 }
+
+} // namespace test_own_atlas

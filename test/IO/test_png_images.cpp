@@ -9,6 +9,8 @@
 #include <cstring>
 #include <limits>
 
+namespace test_png_images {
+
 namespace {
 
 struct Pixels {
@@ -77,3 +79,5 @@ TEST_CASE("the images come into a folder together")
   folder.write("file", "");
   CHECK_THROWS_AS(SM::write_images(folder("file"), {"first"}), SM::IO_error);
 }
+
+} // namespace test_png_images

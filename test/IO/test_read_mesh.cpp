@@ -15,6 +15,8 @@
 #include <cstring>
 #include <new>
 
+namespace test_read_mesh {
+
 namespace SM = CGAL::Simple_manifolds;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -423,3 +425,5 @@ TEST_CASE("bad data name the element and the line")
                 &message) == Error_code::non_manifold_vertex);
   CHECK_THAT(message, Catch::Matchers::ContainsSubstring("vertex 0"));
 }
+
+} // namespace test_read_mesh

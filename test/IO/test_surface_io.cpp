@@ -9,6 +9,8 @@
 #include <cmath>
 #include <new>
 
+namespace test_surface_io {
+
 namespace SM = CGAL::Simple_manifolds;
 using SM::Error_code;
 
@@ -364,3 +366,5 @@ TEST_CASE("where memory ends at any point, that is an exception, and files stay 
     }
   }
 }
+
+} // namespace test_surface_io

@@ -9,6 +9,8 @@
 
 #include <cstring>
 
+namespace test_write_gltf {
+
 // That the files follow the rules of glTF is checked with the validator of Khronos, see test/readers.
 
 namespace {
@@ -124,3 +126,5 @@ TEST_CASE("what single precision cannot hold is an error, and no file")
   CHECK_THROWS_AS(SM::write_gltf(folder("m.glb"), mesh), SM::IO_error);
   CHECK(folder.entries().empty());
 }
+
+} // namespace test_write_gltf

@@ -10,6 +10,8 @@
 
 #include <sstream>
 
+namespace test_write_obj {
+
 namespace {
 
 using Point = CGAL::Simple_cartesian<double>::Point_3;
@@ -129,3 +131,5 @@ TEST_CASE("of an OBJ file that cannot be written nothing is written")
   }
   CHECK(folder.entries() == std::vector<std::string>{"m.obj"});
 }
+
+} // namespace test_write_obj

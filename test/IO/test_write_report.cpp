@@ -10,6 +10,8 @@
 
 #include <cstring>
 
+namespace test_write_report {
+
 namespace {
 
 constexpr const char* page = "<html><!-- data --></html>";
@@ -323,3 +325,5 @@ TEST_CASE("a report shows surfaces over an atlas of one's own, as its charts")
   CHECK(facts["charts"].size() == 40);
   CHECK(facts["shapes"].size() == 1);
 }
+
+} // namespace test_write_report

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <sstream>
 
+namespace test_write_tessellation {
+
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 TEST_CASE("a tessellation in a file has the geometry of the surface at its vertices")
@@ -94,3 +96,5 @@ TEST_CASE("samples are one row each, in full precision")
   SM::write_samples(folder("t.csv"), ring(3, 1), SM::random_domain_points<SM::Torus_atlas>(1));
   CHECK(folder.read("t.csv").find("domain_u,domain_v,x,y,z,") == 0);
 }
+
+} // namespace test_write_tessellation

@@ -5,6 +5,8 @@
 
 #include <string>
 
+namespace test_Bump_functions {
+
 using namespace CGAL::Simple_manifolds;
 using truth::Real;
 
@@ -162,3 +164,5 @@ TEMPLATE_TEST_CASE("a bump has exactly the smoothness that it states", "", Smoot
   }
   CHECK(jump(Real(1) / 7, k + 1) < 1e-12); // between all breaks (7 divides none of k + 2 up to 6)
 }
+
+} // namespace test_Bump_functions

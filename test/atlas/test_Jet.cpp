@@ -3,6 +3,8 @@
 
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 
+namespace test_Jet {
+
 using namespace CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -71,3 +73,5 @@ TEST_CASE("neutral jets")
   CHECK(sum.uv == 2 * j.uv);
   CHECK(Scalar_jet::zero().vv == 0);
 }
+
+} // namespace test_Jet

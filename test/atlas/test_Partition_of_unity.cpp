@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace test_Partition_of_unity {
+
 using namespace CGAL::Simple_manifolds;
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
@@ -456,3 +458,5 @@ TEST_CASE("there are no weights beyond the border of a chart")
   CHECK_THROWS_AS(sphere.weight_jets(Chart_point{0, Vector2d(0, .5)}), CGAL::Precondition_exception);
 }
 #endif
+
+} // namespace test_Partition_of_unity

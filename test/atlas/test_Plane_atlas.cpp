@@ -5,6 +5,8 @@
 
 #include <limits>
 
+namespace test_Plane_atlas {
+
 using namespace CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -114,3 +116,5 @@ TEST_CASE("points and charts that are none of the square are refused")
   CHECK_THROWS_AS(atlas.orientation(a, b, none), CGAL::Precondition_exception);
 }
 #endif
+
+} // namespace test_Plane_atlas

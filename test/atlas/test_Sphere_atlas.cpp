@@ -10,6 +10,8 @@
 #include <set>
 #include <string>
 
+namespace test_Sphere_atlas {
+
 using namespace CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -479,3 +481,5 @@ TEST_CASE("points and charts that are none of the sphere's are refused")
   CHECK_THROWS_AS(atlas.canonical(Vector3d::Zero()), CGAL::Precondition_exception);
 }
 #endif
+
+} // namespace test_Sphere_atlas

@@ -9,6 +9,8 @@
 #include <map>
 #include <string>
 
+namespace test_Torus_atlas {
+
 using namespace CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector2i;
@@ -381,3 +383,5 @@ TEST_CASE("points and charts that are none of the torus are refused")
                   CGAL::Precondition_exception);
 }
 #endif
+
+} // namespace test_Torus_atlas

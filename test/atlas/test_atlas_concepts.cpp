@@ -17,6 +17,8 @@
 #include <type_traits>
 #include <vector>
 
+namespace test_atlas_concepts {
+
 using namespace CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -279,3 +281,5 @@ TEST_CASE("the shapes of an atlas are positively oriented, and whole where they 
   check_shapes(Torus_atlas());
   check_shapes(an_atlas);
 }
+
+} // namespace test_atlas_concepts

@@ -5,6 +5,8 @@
 
 #include <limits>
 
+namespace test_exact_sign {
+
 using namespace CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector2i;
@@ -165,3 +167,5 @@ TEST_CASE("areas whose floating point value is pure rounding error")
   CHECK(internal::sign_of_area({tiny, 0}, {0.5, 0.5}, zero, {1, 1}, zero) == -1);
   CHECK(internal::sign_of_area({0, tiny}, {0.5, 0.5}, zero, {1, 1}, zero) == 1);
 }
+
+} // namespace test_exact_sign

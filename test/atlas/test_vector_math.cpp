@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+namespace test_vector_math {
+
 using CGAL::Simple_manifolds::internal::upper_atan2;
 
 TEST_CASE("upper_atan2 is atan2 of the upper half plane to 1e-15")
@@ -46,3 +48,5 @@ TEST_CASE("upper_atan2 on the axes, the diagonals and where its formulas change"
   CHECK(worst < 1e-15);
   CHECK(std::isnan(upper_atan2(0, 0)));
 }
+
+} // namespace test_vector_math

@@ -25,6 +25,8 @@
 #include <variant>
 #include <vector>
 
+namespace test_Mesh_map {
+
 namespace {
 
 using namespace CGAL::Simple_manifolds;
@@ -312,3 +314,5 @@ TEST_CASE("errors of arrays are those of meshes")
   t.points[5].x() = std::numeric_limits<double>::infinity();
   CHECK(code(t.triangles) == Error_code::non_finite_coordinate);
 }
+
+} // namespace test_Mesh_map

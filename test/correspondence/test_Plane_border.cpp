@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+namespace test_Plane_border {
+
 using namespace CGAL::Simple_manifolds::internal;
 using Eigen::Vector3d;
 
@@ -176,3 +178,5 @@ TEST_CASE("Corners do not depend on the unit of length", "[corners]")
     CHECK(corners_of(scaled) == std::vector<int>{0, 30, 620, 650});
   }
 }
+
+} // namespace test_Plane_border

@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+namespace test_balance {
+
 namespace {
 
 using namespace CGAL::Simple_manifolds;
@@ -217,3 +219,5 @@ TEST_CASE("real tori keep their few charts, and lose none")
     CHECK(after.variation < before.variation);
   }
 }
+
+} // namespace test_balance

@@ -5,6 +5,8 @@
 
 #include <limits>
 
+namespace test_certify {
+
 namespace {
 
 using namespace CGAL::Simple_manifolds;
@@ -219,3 +221,5 @@ TEST_CASE("the total area of points on the grid of doubles below one is summed e
   CHECK_FALSE(square_atlas.covers_once(moved, square).has_value());
   CHECK(certify(Plane_atlas(), corners, square).area_is_exact);
 }
+
+} // namespace test_certify

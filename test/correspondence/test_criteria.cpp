@@ -5,6 +5,8 @@
 
 #include <set>
 
+namespace test_criteria {
+
 namespace {
 
 using namespace CGAL::Simple_manifolds;
@@ -163,3 +165,5 @@ TEST_CASE("the sentence has the numbers")
   CHECK_THAT(s, Catch::Matchers::ContainsSubstring("of 16 vertices 15 have no chart"));
   CHECK_THAT(s, Catch::Matchers::ContainsSubstring("6.250 %"));
 }
+
+} // namespace test_criteria

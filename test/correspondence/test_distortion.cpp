@@ -5,6 +5,8 @@
 
 #include <Eigen/SVD>
 
+namespace test_distortion {
+
 namespace {
 
 using namespace CGAL::Simple_manifolds;
@@ -155,3 +157,5 @@ TEST_CASE("charts of vertices, stars and faces")
   CHECK(s.chart_counts == std::vector<std::size_t>{12});
   CHECK(s.stars_without_chart == 0);
 }
+
+} // namespace test_distortion

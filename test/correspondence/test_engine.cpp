@@ -12,6 +12,8 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/split_edges.h>
 #include <CGAL/Simple_manifolds/internal/Star_kernel.h>
 
+namespace test_engine {
+
 using namespace CGAL::Simple_manifolds;
 using namespace CGAL::Simple_manifolds::internal;
 using Eigen::Vector2d;
@@ -411,3 +413,5 @@ TEST_CASE("Snapped coordinates lie on the grid of 2^-50", "[engine]")
     CHECK(std::ldexp(y, 50) == std::floor(std::ldexp(y, 50)));
   }
 }
+
+} // namespace test_engine

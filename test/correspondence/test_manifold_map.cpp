@@ -9,6 +9,8 @@
 #include <limits>
 #include <thread>
 
+namespace test_manifold_map {
+
 namespace {
 
 using namespace CGAL::Simple_manifolds;
@@ -348,3 +350,5 @@ TEST_CASE("what is no vertex, no face or no location is refused")
   }
 }
 #endif
+
+} // namespace test_manifold_map

@@ -17,6 +17,8 @@
 
 #include <map>
 
+namespace test_map_to_canonical_surface {
+
 namespace SM = CGAL::Simple_manifolds;
 using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
@@ -559,3 +561,5 @@ TEST_CASE("The visitor sees the phases and can cancel", "[map]")
     CHECK_THROWS_WITH(SM::map_to_sphere(mesh, CGAL::parameters::visitor(std::ref(cancelling))), "cancelled");
   }
 }
+
+} // namespace test_map_to_canonical_surface

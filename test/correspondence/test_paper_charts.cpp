@@ -10,6 +10,8 @@
 #include <map>
 #include <type_traits>
 
+namespace test_paper_charts {
+
 using namespace CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -232,3 +234,5 @@ TEST_CASE("Charts and faces that are none are refused by the correspondence by c
   CHECK_THROWS_AS(charts.to_chart(0, {512, Vector3d(1, 0, 0)}), CGAL::Precondition_exception);
 }
 #endif
+
+} // namespace test_paper_charts

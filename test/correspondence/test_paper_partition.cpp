@@ -11,6 +11,8 @@
 
 #include <set>
 
+namespace test_paper_partition {
+
 using namespace CGAL::Simple_manifolds;
 using Eigen::Vector3d;
 
@@ -374,3 +376,5 @@ TEST_CASE("The weights are an option, results are reproducible, and other genera
   CHECK_THROWS_AS(map_by_partition(read("double-torus-example.off")), Topology_error);
   CHECK_THROWS_AS(map_by_partition(read("blobby_3cc.off")), Topology_error);
 }
+
+} // namespace test_paper_partition

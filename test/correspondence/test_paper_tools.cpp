@@ -16,6 +16,8 @@
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/helpers.h>
 
+namespace test_paper_tools {
+
 using namespace CGAL::Simple_manifolds;
 
 namespace {
@@ -382,3 +384,5 @@ TEST_CASE("The tools know no mesh type, nor do disks grow from triangles only", 
   const auto far = far_vertices(cube, 2);
   CHECK(shortest_path(cube, far[0], far[1], [](const auto) { return true; }).size() == 3);
 }
+
+} // namespace test_paper_tools

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <set>
 
+namespace test_refine {
+
 namespace {
 
 using namespace CGAL::Simple_manifolds;
@@ -212,3 +214,5 @@ TEST_CASE("parts of virtual faces are virtual and come last")
   }
   CHECK(balance(map).number_of_virtual_faces() == 1);
 }
+
+} // namespace test_refine

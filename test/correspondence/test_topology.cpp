@@ -14,6 +14,8 @@
 #include <numeric>
 #include <set>
 
+namespace test_topology {
+
 namespace {
 
 using namespace CGAL::Simple_manifolds;
@@ -355,3 +357,5 @@ TEMPLATE_TEST_CASE("real meshes", "", Mesh, Polyhedron)
   CHECK(elephant.genus == 1 - (2775 - 5558 / 2) / 2);
   CHECK(read("nefertiti.off").is_disk());
 }
+
+} // namespace test_topology

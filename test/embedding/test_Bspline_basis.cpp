@@ -7,6 +7,8 @@
 #include <cmath>
 #include <type_traits>
 
+namespace test_Bspline_basis {
+
 namespace SM = CGAL::Simple_manifolds;
 using Real = boost::multiprecision::cpp_dec_float_50;
 
@@ -100,3 +102,5 @@ TEST_CASE("The two-scale relation expresses a B-spline by those of half the widt
     }
   });
 }
+
+} // namespace test_Bspline_basis

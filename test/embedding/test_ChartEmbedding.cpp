@@ -9,6 +9,8 @@
 #include <iterator>
 #include <vector>
 
+namespace test_ChartEmbedding {
+
 namespace SM = CGAL::Simple_manifolds;
 
 namespace {
@@ -51,3 +53,5 @@ TEST_CASE("A surface needs no more of a chart embedding than the concept says")
     CHECK(points.size() == 2);
   }
 }
+
+} // namespace test_ChartEmbedding

@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+namespace test_Hierarchical_embedding {
+
 namespace SM = CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -166,3 +168,5 @@ TEST_CASE("Levels that do not fit are refused")
   CHECK_THROWS(make({{2, {1}, {x, x}}}));
 }
 #endif
+
+} // namespace test_Hierarchical_embedding

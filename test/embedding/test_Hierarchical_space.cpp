@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_Hierarchical_space {
+
 namespace internal = CGAL::Simple_manifolds::internal;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -177,3 +179,5 @@ TEST_CASE("Normal equations reproduce a polynomial, and are set up anew each tim
   for (const auto& view : samples.views)
     CHECK((splines[0].point<3>(view.cell, view.uv) - polynomial(view.uv)).norm() < 1e-10);
 }
+
+} // namespace test_Hierarchical_space

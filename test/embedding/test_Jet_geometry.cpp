@@ -9,6 +9,8 @@
 #include <cmath>
 #include <random>
 
+namespace test_Jet_geometry {
+
 namespace SM = CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -216,3 +218,5 @@ TEST_CASE("Directions are orthonormal as near to an umbilic as one likes")
     check_frame(SM::compose(paraboloid(epsilon, .3 * epsilon, 0), crooked()));
   }
 }
+
+} // namespace test_Jet_geometry

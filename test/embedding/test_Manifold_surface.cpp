@@ -11,6 +11,8 @@
 #include <list>
 #include <vector>
 
+namespace test_Manifold_surface {
+
 namespace SM = CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -406,3 +408,5 @@ TEST_CASE("At the borders of charts position and two derivatives jump by roundin
     CHECK(j[2] > 1e-3);
   }
 }
+
+} // namespace test_Manifold_surface

@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <vector>
 
+namespace test_Map_embedding {
+
 namespace SM = CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -94,3 +96,5 @@ TEST_CASE("The normal of a surface of map embeddings is that of the face")
     CHECK((surface.normal(map.to_domain(l)) - n.normalized()).norm() < 1e-10);
   }
 }
+
+} // namespace test_Map_embedding

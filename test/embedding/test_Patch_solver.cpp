@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+namespace test_Patch_solver {
+
 namespace SM = CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -121,3 +123,5 @@ TEST_CASE("Patches over one another do no harm")
   for (const SM::Spline_patch& patch : often.patches())
     for (const Vector3d& c : patch.coefficients()) REQUIRE(c.norm() < 100);
 }
+
+} // namespace test_Patch_solver

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+namespace test_Spline_patch {
+
 namespace SM = CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -183,3 +185,5 @@ TEST_CASE("Wrong sizes are caught")
   CHECK_THROWS_AS(SM::Spline_patch({0, 0, 1, 1}, 3, 7, 7, wavy(1), {49}), CGAL::Precondition_exception);
 }
 #endif
+
+} // namespace test_Spline_patch

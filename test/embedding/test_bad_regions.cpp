@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace test_bad_regions {
+
 namespace SM = CGAL::Simple_manifolds;
 using SM::Bin_rectangle;
 
@@ -126,3 +128,5 @@ TEST_CASE("A rectangle grows to the least size, no further, inside of the square
       }
   CHECK(off_centre == 0);
 }
+
+} // namespace test_bad_regions

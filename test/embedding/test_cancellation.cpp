@@ -20,6 +20,8 @@
 #include <variant>
 #include <vector>
 
+namespace test_cancellation {
+
 namespace SM = CGAL::Simple_manifolds;
 namespace params = SM::parameters;
 
@@ -222,3 +224,5 @@ TEST_CASE("a cancelled fit leaves the reports as they were")
     [&] { return patches.surface.controls == 12345 && patches.charts.size() == 17; }, 5);
   CHECK(patches.charts.size() == 1);
 }
+
+} // namespace test_cancellation

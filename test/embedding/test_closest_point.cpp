@@ -12,6 +12,8 @@
 #include <type_traits>
 #include <vector>
 
+namespace test_closest_point {
+
 namespace SM = CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -275,3 +277,5 @@ TEST_CASE("A finder refers to its surface, so that a temporary one is refused")
   STATIC_REQUIRE(!std::is_constructible_v<Finder, Surface>);
   STATIC_REQUIRE(!std::is_constructible_v<Finder, const Surface>);
 }
+
+} // namespace test_closest_point

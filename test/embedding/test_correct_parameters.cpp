@@ -12,6 +12,8 @@
 #include <functional>
 #include <vector>
 
+namespace test_correct_parameters {
+
 namespace SM = CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -87,3 +89,5 @@ TEST_CASE("The border of the square stays when parameters are corrected")
   CHECK(moved > map.number_of_vertices() / 2);
   CHECK(report_of(corrected).rms_error < report_of(map).rms_error);
 }
+
+} // namespace test_correct_parameters

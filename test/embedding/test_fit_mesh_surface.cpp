@@ -8,6 +8,8 @@
 #include <functional>
 #include <variant>
 
+namespace test_fit_mesh_surface {
+
 namespace SM = CGAL::Simple_manifolds;
 
 TEST_CASE("A mesh can be fitted in one call")
@@ -42,3 +44,5 @@ TEST_CASE("The parameters of the map and of the fit go to whom they belong")
   CHECK(by_options == fitted(SM::map_to_sphere(mesh, SM::parameters::area_floor(1.))).point(p));
   CHECK(by_options == surface(SM::parameters::spline_degree(2).map_options(options)).point(p));
 }
+
+} // namespace test_fit_mesh_surface

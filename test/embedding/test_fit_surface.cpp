@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_fit_surface {
+
 namespace SM = CGAL::Simple_manifolds;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -534,3 +536,5 @@ TEST_CASE(
   CHECK(code(1, 1e11) == SM::Error_code::empty_mesh); // none
   CHECK(code(1, 1e13) == SM::Error_code::extent_out_of_range);
 }
+
+} // namespace test_fit_surface

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+namespace test_fitted_curvatures {
+
 namespace SM = CGAL::Simple_manifolds;
 using analytic::pi;
 using Eigen::Vector2d;
@@ -79,3 +81,5 @@ TEST_CASE("Areas and volumes of fitted surfaces are those of the true ones")
   CHECK(std::abs(curvature.value - 4 * pi) <= curvature.quadrature_error);
   CHECK(curvature.quadrature_error < 1e-3);
 }
+
+} // namespace test_fitted_curvatures

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace test_measures {
+
 namespace SM = CGAL::Simple_manifolds;
 using analytic::pi;
 using Eigen::Vector3d;
@@ -139,3 +141,5 @@ TEST_CASE("The same bits, in parallel or not")
   CHECK(one.value == two.value);
   CHECK(one.quadrature_error == two.quadrature_error);
 }
+
+} // namespace test_measures

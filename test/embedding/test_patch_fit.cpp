@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace test_patch_fit {
+
 namespace SM = CGAL::Simple_manifolds;
 namespace params = SM::parameters;
 using Eigen::Vector2d;
@@ -230,3 +232,5 @@ TEST_CASE("A fit by patches reports its phases, and refuses a mesh without exten
   const Analytic_map<SM::Plane_atlas> point([](const Vector2d&) { return Vector3d(1, 2, 3); }, 4);
   CHECK_THROWS_AS(SM::fit_patch_surface(point), SM::Geometry_error);
 }
+
+} // namespace test_patch_fit

@@ -15,6 +15,8 @@
 #include <optional>
 #include <variant>
 
+namespace test_short_of_memory {
+
 namespace params = SM::parameters;
 
 namespace {
@@ -67,3 +69,5 @@ TEST_CASE("where memory ends in a function of a map, that is an exception, and t
   fail_at_many_allocations([&] { return SM::refine(map); }, is_unchanged);
   fail_at_many_allocations([&] { return SM::fit_surface(map, params::rms_error(0.05)); }, is_unchanged);
 }
+
+} // namespace test_short_of_memory

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <random>
 
+namespace test_Chart_textures {
+
 namespace {
 
 double smooth(const Eigen::Vector3d& p) { return std::exp(p.x()) * std::sin(3 * p.y()) + p.z() * p.z(); }
@@ -177,3 +179,5 @@ TEST_CASE("several threads bake the same images")
   const SM::Chart_point a{5, {0.5 / n, (n - 0.5) / n}};
   CHECK((several.texel(5, 0, n - 1) - surface.normal(a)).norm() < 1e-6);
 }
+
+} // namespace test_Chart_textures

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_Domain_triangulation {
+
 using SM::Tile_borders;
 
 namespace {
@@ -208,3 +210,5 @@ TEST_CASE("refinement ends at the deepest level, where faces are still positive"
   CHECK(t.level(deepest(t)) == t.max_level);
   CHECK(is_conforming(t));
 }
+
+} // namespace test_Domain_triangulation

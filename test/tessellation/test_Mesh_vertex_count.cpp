@@ -11,6 +11,8 @@
 #include <type_traits>
 #include <vector>
 
+namespace test_Mesh_vertex_count {
+
 namespace {
 
 // A map with many vertices near the first vertex of a grid and few elsewhere. Many lie on edges and at
@@ -81,3 +83,5 @@ TEST_CASE("the criterion refers to its map, so that a temporary one is refused")
   STATIC_REQUIRE(std::is_constructible_v<SM::Mesh_vertex_count<Map>, const Map&, int>);
   STATIC_REQUIRE(!std::is_constructible_v<SM::Mesh_vertex_count<Map>, Map, int>);
 }
+
+} // namespace test_Mesh_vertex_count

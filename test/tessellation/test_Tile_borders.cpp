@@ -13,6 +13,8 @@
 #include <map>
 #include <utility>
 
+namespace test_Tile_borders {
+
 namespace SM = CGAL::Simple_manifolds;
 using SM::Tile_borders;
 using Vector = Eigen::Vector3d;
@@ -154,3 +156,5 @@ TEST_CASE("tiles of the torus are exactly [1/4,3/4]^2 in their charts")
                                     .norm());
   CHECK(error < 1e-15);
 }
+
+} // namespace test_Tile_borders

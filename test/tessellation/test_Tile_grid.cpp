@@ -10,6 +10,8 @@
 #include <set>
 #include <utility>
 
+namespace test_Tile_grid {
+
 namespace SM = CGAL::Simple_manifolds;
 
 namespace {
@@ -97,3 +99,5 @@ TEST_CASE("a number of cells is met from above")
     if (n > 1) CHECK(6. * (n - 1) * (n - 1) < cells);
   }
 }
+
+} // namespace test_Tile_grid

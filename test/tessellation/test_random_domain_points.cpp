@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace test_random_domain_points {
+
 namespace SM = CGAL::Simple_manifolds;
 
 TEMPLATE_TEST_CASE("random points are even over the tiles, which have equal areas, and on the surface", "",
@@ -36,3 +38,5 @@ TEST_CASE("random points depend on the seed alone, and more of them begin with t
   std::mt19937_64 generator(0);
   CHECK(few[0].x() == double(generator() >> 11) / 9007199254740992.);
 }
+
+} // namespace test_random_domain_points

@@ -14,6 +14,8 @@
 #include <random>
 #include <vector>
 
+namespace test_refine_triangulation {
+
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -157,3 +159,5 @@ TEST_CASE("an impossible criterion ends: at one point by the level, everywhere b
                 .is_fine_enough);
   CHECK(u.number_of_faces() <= 1000);
 }
+
+} // namespace test_refine_triangulation

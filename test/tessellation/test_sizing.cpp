@@ -16,6 +16,8 @@
 #include <type_traits>
 #include <vector>
 
+namespace test_sizing {
+
 using Vector = Eigen::Vector3d;
 
 namespace {
@@ -180,3 +182,5 @@ TEST_CASE("refinement needs no more of a criterion than the concept says")
   CHECK(t.number_of_faces() == 32);
   CHECK(u.triangles() == t.triangles());
 }
+
+} // namespace test_sizing

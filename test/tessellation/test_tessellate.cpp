@@ -17,6 +17,8 @@
 #include <new>
 #include <vector>
 
+namespace test_tessellate {
+
 namespace PMP = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
@@ -361,3 +363,5 @@ TEST_CASE("parameters of the start grid and the limit of faces")
   CHECK(averaged.number_of_vertices() == exact.number_of_vertices());
   CHECK_FALSE(std::equal(averaged.points().begin(), averaged.points().end(), exact.points().begin()));
 }
+
+} // namespace test_tessellate
