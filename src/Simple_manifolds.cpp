@@ -3,3 +3,8 @@
 #define CGAL_SIMPLE_MANIFOLDS_INSTANTIATE template
 
 #include <CGAL/simple_manifolds.h>
+
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/closed_triangles_impl.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_plane_impl.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_sphere_impl.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_torus_impl.h>

@@ -6,6 +6,8 @@
 #include "random_surfaces.h"
 
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/Sphere_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/certified_map.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

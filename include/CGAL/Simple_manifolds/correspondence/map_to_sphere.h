@@ -12,7 +12,6 @@
 #include <CGAL/Simple_manifolds/internal/concepts.h>
 #include <CGAL/Simple_manifolds/internal/named_parameters.h>
 
-#include <CGAL/Simple_manifolds/correspondence/internal/geometry/Sphere_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_mesh.h>
 
 /// \file
@@ -22,29 +21,15 @@ namespace Simple_manifolds {
 
 namespace internal {
 
+class Sphere_geometry;
+
 template <class Geometry = Sphere_geometry>
 Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
                                          const std::vector<Indexed_landmark<Eigen::Vector3d>>& landmarks,
-                                         const Map_request& request)
-{
-  require_closed_genus(a.topology, Sphere_atlas::genus());
-  const int n = static_cast<int>(a.points.size());
-  const Layout_problem<Eigen::Vector3d> problem{a.points, a.triangles, -1, a.vertex_weight, landmarks};
-  return certified_map<Sphere_atlas>(
-    problem, request, [n](const std::vector<int>&) { return Geometry(n); },
-    [&](const Collapse_hierarchy&, const Geometry& geometry, const auto& number) {
-      std::vector<Eigen::Vector3d> domain_points(n);
-      for (int v = 0; v < n; ++v) domain_points[v] = geometry.position(number(v));
-      return domain_points;
-    },
-    [&](std::vector<Eigen::Vector3d>&& domain_points) {
-      return Manifold_map<Sphere_atlas>(a.points, a.triangles, std::move(domain_points),
-                                        a.number_of_input_vertices, a.number_of_virtual_faces, a.input);
-    });
-}
+                                         const Map_request& request);
 
 #ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
-CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Manifold_map<Sphere_atlas>
+extern template Manifold_map<Sphere_atlas>
 map_to_sphere<Sphere_geometry>(const Mesh_arrays&, const std::vector<Indexed_landmark<Eigen::Vector3d>>&,
                                const Map_request&);
 #endif
@@ -166,5 +151,9 @@ Manifold_map<Sphere_atlas> map_to_sphere(const PointRange& points, const Triangl
 
 } // namespace Simple_manifolds
 } // namespace CGAL
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_COMPILED
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_sphere_impl.h>
+#endif
 
 #endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_SPHERE_H

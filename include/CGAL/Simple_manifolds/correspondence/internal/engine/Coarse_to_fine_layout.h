@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_ENGINE_COARSE_TO_FINE_LAYOUT_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_ENGINE_COARSE_TO_FINE_LAYOUT_H
 
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/Indexed_landmark.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Collapse_hierarchy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Distortion_energy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Star.h>
@@ -21,14 +22,6 @@
 namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
-
-// A soft target for a vertex.
-template <class Point>
-struct Indexed_landmark {
-  int vertex;
-  Point target;
-  double weight;
-};
 
 // The embedding of a triangulated surface in a domain, valid at every moment:
 //  1. the mesh is reduced to a base that is embedded directly (Collapse_hierarchy);

@@ -8,14 +8,13 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MAP_MESH_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MAP_MESH_H
 
-#include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
 #include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/engine/lay_out.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/Indexed_landmark.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/Mesh_arrays.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/Mesh_elements.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/mesh/close_borders.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/mesh/mesh_to_triangles.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/closed_triangles.h>
 #include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
 #include <CGAL/Simple_manifolds/internal/compiled.h>
 #include <CGAL/Simple_manifolds/internal/named_parameters.h>
@@ -29,8 +28,6 @@
 #include <cstddef>
 #include <iterator>
 #include <memory>
-#include <optional>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -47,8 +44,8 @@ template <class Soup, class Vertices, class NamedParameters>
 Mesh_arrays mesh_arrays(const Soup& soup, const std::vector<Eigen::Vector3d>& points, const Vertices& vertex,
                         const NamedParameters& np)
 {
-  Mesh_arrays a = mesh_to_triangles(soup, points);
-  close_borders(a, parameter(np, internal_np::close_borders, Close_borders::NONE));
+  Mesh_arrays a =
+    closed_triangles(soup, points, parameter(np, internal_np::close_borders, Close_borders::NONE));
   if constexpr (has_parameter<internal_np::vertex_weight_map_t, NamedParameters>) {
     const auto& weight = parameter(np, internal_np::vertex_weight_map);
     a.vertex_weight.assign(a.points.size(), 1.);
@@ -140,40 +137,6 @@ Map_request map_request(const NamedParameters& np)
   if constexpr (has_parameter<CGAL::internal_np::visitor_t, NamedParameters>)
     request.visitor = Visitor_reference(parameter(np, CGAL::internal_np::visitor));
   return request;
-}
-
-// Embeds the surface and certifies the result. read(mesh, geometry, number) takes what make_map() needs from the
-// embedding. As no uncertified map can be built, make_map() throws when the embedding is wrong; what its last
-// certificate said is handed on.
-template <class Atlas, class Point, class Make_geometry, class Read, class Make_map>
-Manifold_map<Atlas> certified_map(const Layout_problem<Point>& problem, const Map_request& request,
-                                  const Make_geometry& make_geometry, const Read& read,
-                                  const Make_map& make_map)
-{
-  const Visitor_reference& visitor = request.visitor;
-  std::optional<Manifold_map<Atlas>> result;
-  std::string fault; // of the last attempt
-  Mesh_element element;
-  const bool done = lay_out(
-    request.is_parallel, problem, request.options, make_geometry, read,
-    [&](auto placed) {
-      visitor.start_phase("certify");
-      try {
-        result.emplace(make_map(std::move(placed)));
-      } catch (const Numeric_error& e) { // begin anew with a better conditioned energy, if there is one left
-        fault = std::string("; the last attempt: ") + e.what();
-        element = e.element();
-      }
-      visitor.end_phase();
-      return result.has_value();
-    },
-    visitor);
-  if (!done)
-    throw Numeric_error(Error_code::numeric_failure,
-                        "no embedding in double precision was found for the " +
-                          std::to_string(problem.triangles.size()) + " faces" + fault,
-                        element);
-  return std::move(*result);
 }
 
 // Writes the domain points into the property map of the caller, if there is one.
