@@ -8,3 +8,7 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_plane_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_sphere_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_torus_impl.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Chart_spline_impl.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_fit_impl.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_space_impl.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Leaf_basis_impl.h>

@@ -15,7 +15,6 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,11 +40,7 @@ public:
   static constexpr int base_cells = 4; ///< per side
 
   /// The constant function: B-splines sum to one.
-  Chart_spline(int degree, const Eigen::Vector3d& constant)
-    : tree_(base_cells), space_(degree, tree_), basis_(tree_, space_), coefficients_(space_.size(), constant)
-  {
-    update();
-  }
+  Chart_spline(int degree, const Eigen::Vector3d& constant);
 
   const Cell_tree& tree() const { return tree_; }
   const Hierarchical_space& space() const { return space_; }
@@ -54,15 +49,7 @@ public:
   int size() const { return space_.size(); }
 
   /// The same function in the space over a tree that has all cells of the present one, and more.
-  void refine(Cell_tree tree)
-  {
-    Hierarchical_space finer(space_.degree(), tree);
-    coefficients_ = finer.transfer(tree, space_, coefficients_);
-    tree_ = std::move(tree);
-    space_ = std::move(finer);
-    basis_ = Leaf_basis(tree_, space_);
-    update();
-  }
+  void refine(Cell_tree tree);
 
   /// Adds `correction(f)` to the coefficient of every function f.
   template <class Correction>
@@ -100,5 +87,9 @@ private:
 } // namespace internal
 } // namespace Simple_manifolds
 } // namespace CGAL
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_COMPILED
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Chart_spline_impl.h>
+#endif
 
 #endif // CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_CHART_SPLINE_H
