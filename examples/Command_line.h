@@ -3,19 +3,11 @@
 #ifndef SIMPLE_MANIFOLDS_EXAMPLES_COMMAND_LINE_H
 #define SIMPLE_MANIFOLDS_EXAMPLES_COMMAND_LINE_H
 
-#include <CGAL/version.h>
-
 #include <boost/program_options.hpp>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
-
 #include <initializer_list>
-#include <iostream>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace tools {
 
@@ -32,56 +24,12 @@ struct Done {};
 /// The command line: INPUT, and the options of both programs; each adds its own.
 class Command_line {
 public:
-  Command_line(std::string synopsis, std::string summary)
-    : synopsis_(std::move(synopsis)), summary_(std::move(summary)), options_("Options", 100)
-  {
-    add("output,o", po::value<std::string>()->required(), "where to write (required)");
-    add("method", po::value<std::string>()->default_value("certified"),
-        "how to map: certified, or paper (Grimm 2002), which may fail; the result is certified either way");
-    add("close-borders", po::value<std::string>()->default_value("none"),
-        "border loops to close by virtual faces: none, inner (all but the longest), all");
-    add("corners", po::value<std::string>(),
-        "a,b,c,d: the vertices of a disk that go to the corners of the square, counterclockwise on its\n"
-        "border; numbers of the file, from 0 (default: its own corners)");
-    add("threads", po::value<int>(), "threads to use, 1 to 1024; results do not depend on it");
-    add("quiet,q", po::bool_switch(), "print nothing but errors");
-    add("help,h", po::bool_switch(), "print this and end");
-    add("version", po::bool_switch(), "print the version and end");
-  }
+  Command_line(std::string synopsis, std::string summary);
 
-  void add(const char* name, const po::value_semantic* value, const char* help)
-  {
-    options_.add_options()(name, value, help);
-  }
+  void add(const char* name, const po::value_semantic* value, const char* help);
 
   /// \throw Done, Usage_error, po::error
-  void parse(int argc, char** argv)
-  {
-    namespace style = po::command_line_style;
-    po::options_description all = options_;
-    all.add_options()("input", po::value<std::string>()->required(), "");
-    po::positional_options_description positional;
-    positional.add("input", 1);
-    po::store(po::command_line_parser(argc, argv)
-                .options(all)
-                .positional(positional)
-                .style(style::unix_style & ~style::allow_guessing)
-                .run(),
-              values_);
-    if (get<bool>("help")) {
-      std::cout << "Usage: " << synopsis_ << "\n\n" << summary_ << "\n\n" << options_;
-      throw Done();
-    }
-    if (get<bool>("version")) {
-      std::cout << "Simple_manifolds " << SIMPLE_MANIFOLDS_VERSION << ", CGAL " << CGAL_VERSION_STR << '\n';
-      throw Done();
-    }
-    if (!values_.count("input")) throw Usage_error("no INPUT is given");
-    po::notify(values_);
-    require_choice("method", {"certified", "paper"});
-    require_choice("close-borders", {"none", "inner", "all"});
-    limit_threads();
-  }
+  void parse(int argc, char** argv);
 
   bool has(const char* name) const { return values_.count(name) && !values_[name].defaulted(); }
 
@@ -91,16 +39,7 @@ public:
     return values_[name].as<T>();
   }
 
-  void require_choice(const char* name, std::initializer_list<const char*> choices) const
-  {
-    std::string list;
-    for (const char* choice : choices) {
-      if (get<std::string>(name) == choice) return;
-      list += (list.empty() ? "" : ", ") + std::string(choice);
-    }
-    throw Usage_error(std::string("--") + name + " is one of " + list + ", not \"" + get<std::string>(name) +
-                      '"');
-  }
+  void require_choice(const char* name, std::initializer_list<const char*> choices) const;
 
   void require(bool is_right, const char* name, const std::string& range) const
   {
@@ -108,18 +47,7 @@ public:
   }
 
 private:
-  void limit_threads()
-  {
-    if (!has("threads")) return;
-    const int threads = get<int>("threads"); // the memory for very many would be asked for at once
-    require(threads >= 1 && threads <= 1024, "threads", "from 1 to 1024");
-#ifdef CGAL_LINKED_WITH_TBB
-    // For the whole run, and never destroyed: that would start threads, which aborts when memory is short.
-    static const auto* const control =
-      new tbb::global_control(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
-    (void)control;
-#endif
-  }
+  void limit_threads();
 
   std::string synopsis_, summary_;
   po::options_description options_;

@@ -145,7 +145,7 @@ struct Job {
   const Command_line& options;
   const Fit_request& request;
   const Input& input;
-  const SM::Partition_report& partition;
+  const Json& partition;
   SM::Atomic_folder& folder;
   Progress& progress;
   Stopwatch& watch;
@@ -177,7 +177,7 @@ int write(Job& job, const Map& map, const Surface& surface, const SM::Fit_report
   Json metrics;
   metrics["input"] = metrics_of_input(job.input, map);
   metrics["map"] = metrics_of_map(map, job.watch);
-  if (is_paper(job.options)) metrics["partition"] = metrics_of_partition(job.partition);
+  if (is_paper(job.options)) metrics["partition"] = job.partition;
   metrics["surface"] = std::move(metrics_of_fit);
   metrics["surface"]["smoothness"] = surface.smoothness();
 
@@ -209,7 +209,7 @@ int write(Job& job, const Map& map, const Surface& surface, const SM::Fit_report
 
   if (!has_report && !is_quiet)
     std::cerr << "fit_mesh: no report.html: zlib or three.js was missing when fit_mesh was built\n";
-  if (!is_quiet) std::cout << Figures(metrics).text() << std::flush;
+  if (!is_quiet) std::cout << figures(metrics) << std::flush;
   if (has_reached) return SUCCESS;
   std::cerr << "fit_mesh: the tolerance was not reached: " << errors << "; the files are written\n";
   return TOLERANCE_NOT_REACHED;
@@ -343,7 +343,7 @@ int main(int argc, char** argv)
     const std::vector<Mesh::Vertex_index> square_corners = corners(options, input);
     SM::Atomic_folder folder(options.get<std::string>("output"));
     Progress progress(options.get<bool>("quiet"));
-    SM::Partition_report partition;
+    Json partition; // how the paper's method made the map
     const auto any_map = watch.time("map", [&] {
       if (is_paper(options)) return map_by_partition(options, input, partition, progress);
       return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(

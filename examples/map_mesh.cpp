@@ -90,7 +90,7 @@ int main(int argc, char** argv)
     const Input input = watch.time("read", [&] { return read_input(options); });
     const std::vector<Mesh::Vertex_index> square_corners = corners(options, input);
     Progress progress(is_quiet);
-    SM::Partition_report partition;
+    Json partition; // how the paper's method made the map
     SM::Any_mesh_map<Mesh> any_map = watch.time("map", [&] {
       if (is_paper(options)) return map_by_partition(options, input, partition, progress);
       return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
@@ -125,7 +125,7 @@ int main(int argc, char** argv)
                                  {"balance", options.get<bool>("balance")},
                                  {"refine", options.get<bool>("refine")}};
         metrics["map"]["criteria"] = metrics_of_criteria(map);
-        if (is_paper(options)) metrics["partition"] = metrics_of_partition(partition);
+        if (is_paper(options)) metrics["partition"] = partition;
         SM::Atomic_files files;
         const auto file = [&](const char* name) { return files.file(options.get<std::string>(name)); };
         if (options.has("report"))
@@ -136,7 +136,7 @@ int main(int argc, char** argv)
         if (options.has("metrics")) write_metrics(file("metrics"), metrics);
         throw_if_interrupted();
         files.commit();
-        if (!is_quiet) std::cout << Figures(metrics).text() << std::flush;
+        if (!is_quiet) std::cout << figures(metrics) << std::flush;
         return SUCCESS;
       },
       any_map);

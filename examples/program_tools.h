@@ -8,17 +8,14 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
-#include <CGAL/Simple_manifolds/IO/read_mesh.h>
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
-#include <CGAL/Simple_manifolds/paper/map/map_by_partition.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/version.h>
 
 #ifdef SIMPLE_MANIFOLDS_HAS_REPORT // of the CMake target CGAL::Simple_manifolds_report
 #include <CGAL/Simple_manifolds/IO/write_report.h>
@@ -28,20 +25,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
-#include <filesystem>
 #include <functional>
-#include <iostream>
-#include <new>
 #include <string>
-#include <system_error>
 #include <utility>
 
 namespace tools {
@@ -68,63 +59,8 @@ inline void throw_if_interrupted()
   if (interrupting_signal != 0) throw Interrupted();
 }
 
-/// A signal is answered at the next step of the visitor or before files appear, a second one at once.
-inline void answer_signals()
-{
-  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is one that cannot be written
-  for (int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    const auto before = std::signal(signal, [](int s) {
-      interrupting_signal = s;
-      std::signal(s, SIG_DFL);
-    });
-    if (before == SIG_IGN) std::signal(signal, SIG_IGN); // as nohup wants it
-  }
-}
-
-inline int status_of(const SM::Error& e)
-{
-  switch (e.code()) {
-  case SM::Error_code::cannot_open:
-  case SM::Error_code::unsupported_format:
-  case SM::Error_code::syntax_error:
-    return UNREADABLE_INPUT;
-  case SM::Error_code::cannot_write:
-    return USAGE;
-  default:
-    return UNSUPPORTED_INPUT;
-  }
-}
-
 /// Runs a program; whatever goes wrong becomes one line on stderr and an exit status.
-template <class Program>
-int run(const char* name, const Program& program)
-{
-  const auto fail = [name](const std::string& message, int status) {
-    std::string line = message; // names of files can hold anything
-    for (char& c : line)
-      if (static_cast<unsigned char>(c) < ' ') c = '?';
-    std::cerr << name << ": " << line << std::endl;
-    return status;
-  };
-  try {
-    answer_signals();
-    return program();
-  } catch (const Done&) {
-    return SUCCESS;
-  } catch (const Interrupted&) {
-    return fail("interrupted, nothing is written", INTERRUPTED + interrupting_signal);
-  } catch (const Usage_error& e) {
-    return fail(e.what() + std::string(" (see ") + name + " --help)", USAGE);
-  } catch (const po::error& e) {
-    return fail(e.what() + std::string(" (see ") + name + " --help)", USAGE);
-  } catch (const SM::Error& e) {
-    return fail(e.what(), status_of(e));
-  } catch (const std::bad_alloc&) {
-    return fail("the memory is not sufficient", UNSUPPORTED_INPUT);
-  } catch (const std::exception& e) {
-    return fail(e.what(), UNSUPPORTED_INPUT);
-  }
-}
+int run(const char* name, const std::function<int()>& program);
 
 /// Shows the running phase on a terminal, in one line that is wiped at the end; nothing into a pipe. Ends the
 /// program when a signal asks for it.
@@ -201,62 +137,21 @@ struct Input {
   SM::Mesh_topology topology;
 };
 
-inline Input read_input(const Command_line& options)
-{
-  Input input;
-  input.file = options.get<std::string>("input");
-  input.topology = SM::read_mesh(input.file, input.mesh);
-  return input;
-}
+Input read_input(const Command_line& options);
 
 /// Whether two paths lead to the same file, or will when there is one.
-inline bool is_same_file(const std::string& a, const std::string& b)
-{
-  namespace fs = std::filesystem;
-  std::error_code error;
-  if (fs::equivalent(a, b, error)) return true;
-  const auto full = [&](const std::string& name) {
-    return fs::weakly_canonical(fs::absolute(name, error), error).lexically_normal();
-  };
-  return a == b || (!full(a).empty() && full(a) == full(b));
-}
+bool is_same_file(const std::string& a, const std::string& b);
 
 /// \throw Usage_error  when a file that is going to be written is INPUT
-inline void require_not_input(const Command_line& options, const std::string& output)
-{
-  if (is_same_file(output, options.get<std::string>("input")))
-    throw Usage_error("INPUT would be overwritten by " + output);
-}
+void require_not_input(const Command_line& options, const std::string& output);
 
-inline SM::Close_borders close_borders(const Command_line& options)
-{
-  const std::string which = options.get<std::string>("close-borders");
-  return which == "inner" ? SM::Close_borders::INNER
-         : which == "all" ? SM::Close_borders::ALL
-                          : SM::Close_borders::NONE;
-}
+SM::Close_borders close_borders(const Command_line& options);
 
 inline bool is_paper(const Command_line& options) { return options.get<std::string>("method") == "paper"; }
 
-/// The map of --method paper.
-inline SM::Any_mesh_map<Mesh> map_by_partition(const Command_line& options, const Input& input,
-                                               SM::Partition_report& report, Progress& progress)
-{
-  return SM::map_by_partition(input.mesh, SM::parameters::partition_report(std::ref(report))
-                                            .close_borders(close_borders(options))
-                                            .visitor(std::ref(progress)));
-}
-
-/// How the paper's method came to its map.
-inline Json metrics_of_partition(const SM::Partition_report& r)
-{
-  return {{"attempts", r.attempts},
-          {"subdivisions", r.subdivisions},
-          {"removed_vertices", r.removed_vertices},
-          {"rounds", r.equalization.rounds},
-          {"largest_deviation_of_faces", r.equalization.largest_deviation},
-          {"stopped_by_rule", r.equalization.has_stopped_by_rule}};
-}
+/// The map of --method paper; `how` receives how it came to be.
+SM::Any_mesh_map<Mesh> map_by_partition(const Command_line& options, const Input& input, Json& how,
+                                        Progress& progress);
 
 /// A number for JSON, which knows no infinity.
 inline Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
@@ -300,34 +195,11 @@ Json metrics_of_map(const Map& map, Stopwatch& watch)
           {"faces_without_chart", charts.faces_without_chart}};
 }
 
-inline long long peak_memory_in_bytes()
-{
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-#ifdef __APPLE__
-  return usage.ru_maxrss;
-#else
-  return 1024LL * usage.ru_maxrss;
-#endif
-}
-
 /// The metrics with those that both programs have; call it last, since it reads the clock.
-inline Json completed(Json metrics, const char* program, const Stopwatch& watch)
-{
-  metrics["seconds"] = watch.seconds();
-  metrics["peak_memory_bytes"] = peak_memory_in_bytes();
-  metrics["program"] = program;
-  metrics["version"] = {{"simple_manifolds", SIMPLE_MANIFOLDS_VERSION}, {"cgal", CGAL_VERSION_STR}};
-  return metrics;
-}
+Json completed(Json metrics, const char* program, const Stopwatch& watch);
 
 /// Writes metrics as a JSON file.
-inline void write_metrics(const std::string& file, const Json& metrics)
-{
-  SM::Atomic_file output(file);
-  output.stream() << metrics.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-  output.commit();
-}
+void write_metrics(const std::string& file, const Json& metrics);
 
 #ifdef SIMPLE_MANIFOLDS_HAS_REPORT
 constexpr bool has_report = true;

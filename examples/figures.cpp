@@ -1,0 +1,154 @@
+#include "figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <vector>
+
+namespace tools {
+
+std::string shown(double x)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+namespace {
+
+// The same of a figure of the metrics, which may be none.
+std::string shown(const Json& x) { return x.is_number() ? shown(x.get<double>()) : "infinite"; }
+
+// A fraction of the diagonal: "0.15 %".
+std::string percent(const Json& x)
+{
+  return x.is_number() ? shown(100 * x.get<double>()) + " %" : "infinite";
+}
+
+// The lines and the table.
+class Figures {
+public:
+  explicit Figures(const Json& metrics) : metrics_(metrics), map_(metrics["map"])
+  {
+    add_input();
+    if (metrics_.contains("surface")) add_surface(metrics_["surface"]);
+    add_resources();
+    add_charts();
+  }
+
+  const std::string& text() const { return text_; }
+
+private:
+  static constexpr std::size_t largest_table = 12; // rows
+
+  void line(const std::string& name, const std::string& value)
+  {
+    text_ += "  " + name + std::string(18 - (std::min)(name.size(), std::size_t(16)), ' ') + value + '\n';
+  }
+
+  void add_input()
+  {
+    const Json& input = metrics_["input"];
+    const int loops = input["border_loops"];
+    text_ += input["file"].get<std::string>() + '\n';
+    line("mesh", count(map_["vertices"], "vertices") + ", " + count(map_["faces"], "faces") + ", " +
+                   (loops == 0 ? "closed" : count(loops, loops == 1 ? "border" : "borders")) + ", genus " +
+                   count(input["genus"]) + (input["inward_oriented"] ? ", inward oriented" : ""));
+    if (const int unused = input["isolated_vertices"]; unused > 0)
+      line("left out", count(unused, unused == 1 ? "vertex" : "vertices") + " of no face");
+    line("map", "onto the " + map_["atlas"].get<std::string>() + ", one to one by proof: " +
+                  count(map_["flipped"]) + " faces flipped, degree " + shown(map_["degree"]));
+    line("angle distortion", shown(map_["angle"]) + " on average, 1 is conformal");
+    line("area distortion",
+         (map_["area"].is_number() ? shown(std::pow(10, map_["area"].get<double>())) : "infinite") +
+           " on average, 1 keeps areas");
+  }
+
+  void add_surface(const Json& s)
+  {
+    const Json& p = metrics_["parameters"];
+    line("surface", "C" + count(s["smoothness"]) + ", degree " + count(p["degree"]) + ", " +
+                      count(s["controls"], "controls"));
+    std::string rms, max; // the tolerances of the errors that they refer to
+    if (p["surface"] == "patches") {
+      double average = 0, largest = 0;
+      for (const Json& c : s["charts"]) {
+        average = (std::max)(average, c["average_delta"].get<double>());
+        largest = (std::max)(largest, c["max_delta"].get<double>());
+      }
+      line("weighted error",
+           percent(average) + " of the diagonal on average in the worst chart" + tolerance(p["tolerance"]));
+      line("largest of them", percent(largest) + " of the diagonal" + tolerance(p["max_tolerance"]));
+    } else if (p["marking"] == "vertices") {
+      line("at vertices", percent(s["vertex_rms_error"]) + " of the diagonal rms" +
+                            tolerance(p["tolerance"]) + ", at most " + percent(s["vertex_max_error"]) +
+                            tolerance(p["max_tolerance"]));
+    } else {
+      rms = tolerance(p["tolerance"]);
+      max = tolerance(p["max_tolerance"]);
+    }
+    line("rms error", percent(s["rms_error"]) + " of the diagonal" + rms);
+    line("largest error", percent(s["max_error"]) + " of the diagonal" + max);
+    line("distance", percent(s["closest_point_rms"]) + " of the diagonal rms, at most " +
+                       percent(s["closest_point_max"]) + ", from the mesh to the nearest point");
+    line("normals", shown(s["normal_deviation"].get<double>() * 180 / 3.14159265358979324) +
+                      " degrees rms from those of the faces");
+  }
+
+  void add_resources()
+  {
+    const Json& t = metrics_["seconds"];
+    const bool has_fit = t.contains("fit");
+    const double work = t["map"].get<double>() + (has_fit ? t["fit"].get<double>() : 0.);
+    line("time",
+         shown(work) + (has_fit ? " s to map and fit, " : " s to map, ") + shown(t["total"]) + " s in all");
+    line("memory", shown(metrics_["peak_memory_bytes"].get<double>() / 1e6) + " MB at most");
+  }
+
+  void add_charts()
+  {
+    const Json& vertices = map_["chart_counts"];
+    std::vector<std::vector<std::string>> table = {{"chart", "vertices"}};
+    const bool has_surface = metrics_.contains("surface");
+    if (has_surface) {
+      const bool is_patches = metrics_["parameters"]["surface"] == "patches";
+      for (const char* head : {"controls", is_patches ? "patches" : "levels", "rms error", "largest"})
+        table[0].push_back(head);
+    }
+    for (std::size_t c = 0; c < vertices.size() && c < largest_table; ++c) {
+      std::vector<std::string> row = {std::to_string(c), count(vertices[c])};
+      if (has_surface) {
+        const Json& chart = metrics_["surface"]["charts"][c];
+        for (const std::string& value : {count(chart["controls"]), count(chart["levels"]),
+                                         percent(chart["rms_error"]), percent(chart["max_error"])})
+          row.push_back(value);
+      }
+      table.push_back(row);
+    }
+    for (const std::vector<std::string>& row : table) {
+      text_ += ' ';
+      for (const std::string& cell : row)
+        text_ += std::string(10 - (std::min)(cell.size(), std::size_t(9)), ' ') + cell;
+      text_ += '\n';
+    }
+    if (vertices.size() > largest_table)
+      text_ += "  and " + std::to_string(vertices.size() - largest_table) + " more charts\n";
+  }
+
+  static std::string count(const Json& n, const char* of = "")
+  {
+    return std::to_string(n.get<long long>()) + (*of == 0 ? "" : " ") + of;
+  }
+  static std::string tolerance(const Json& x) { return " (tolerance " + percent(x) + ")"; }
+
+  const Json& metrics_;
+  const Json& map_;
+  std::string text_;
+};
+
+} // namespace
+
+std::string figures(const Json& metrics) { return Figures(metrics).text(); }
+
+} // namespace tools
