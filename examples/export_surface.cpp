@@ -137,15 +137,15 @@ SM::Charted_mesh mesh_of(const SM::Manifold_surface<Atlas, ChartEmbedding, Bump>
   return mesh;
 }
 
-/// The bump of a file is a type; these are the ones that fit_mesh writes. Its surfaces are hierarchical, and their
-/// fine grids take little memory as such; those of the paper's method are stacks of patches.
-template <int Smoothness>
-SM::Charted_mesh mesh_of_surface(const Request& request)
+/// The surfaces of fit_mesh are hierarchical, and their fine grids take little memory as such; those of the paper's
+/// method are stacks of patches.
+SM::Charted_mesh mesh_of_file(const Request& request)
 {
-  using Bump = SM::Smoothstep_bump<Smoothness>;
+  using Bump = SM::Any_smoothstep_bump;
   const auto mesh = [&](const auto& any) {
     return std::visit([&](const auto& surface) { return mesh_of(surface, request); }, any);
   };
+  if (std::filesystem::path(request.input).extension() == ".ply") return mesh(SM::read_map(request.input));
   std::optional<decltype(SM::read_any_surface<Bump>(request.input))> hierarchical;
   try {
     hierarchical = SM::read_any_surface<Bump>(request.input);
@@ -153,20 +153,6 @@ SM::Charted_mesh mesh_of_surface(const Request& request)
   }
   return hierarchical ? mesh(*hierarchical)
                       : mesh(SM::read_any_surface<Bump, SM::Patch_stack_embedding>(request.input));
-}
-
-SM::Charted_mesh mesh_of_file(const Request& request)
-{
-  if (std::filesystem::path(request.input).extension() == ".ply")
-    return std::visit([&](const auto& map) { return mesh_of(map, request); }, SM::read_map(request.input));
-  switch (SM::read_surface_header(request.input).smoothness) {
-  case 1:
-    return mesh_of_surface<1>(request);
-  case 3:
-    return mesh_of_surface<3>(request);
-  default:
-    return mesh_of_surface<2>(request);
-  }
 }
 
 /// Whether both names lead to one file that exists.

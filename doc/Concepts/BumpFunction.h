@@ -18,6 +18,7 @@ everywhere.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Simple_manifolds::Smoothstep_bump<K>}
+\cgalHasModels{CGAL::Simple_manifolds::Any_smoothstep_bump}
 \cgalHasModels{CGAL::Simple_manifolds::Bspline_bump<K>}
 \cgalHasModels{CGAL::Simple_manifolds::Polynomial_bump<K>}
 \cgalHasModelsEnd
@@ -29,7 +30,7 @@ public:
   /// \name Constants
   /// @{
 
-  /// The number of continuous derivatives, at least 0.
+  /// The number of continuous derivatives, at least 0. It may also be a member that is not static.
   static constexpr int smoothness;
 
   /// The name of the family in files.

@@ -103,6 +103,21 @@ TEST_CASE("atlas, bump and degree are written and must agree")
   CHECK_THROWS_AS(SM::read_surface<Wrong_atlas>(file), SM::IO_error);
 }
 
+TEST_CASE("a surface is read without knowing its smoothness, and written again")
+{
+  const Temporary_folder folder;
+  using Atlas = SM::Plane_atlas;
+  using Any = SM::Manifold_surface<Atlas, SM::Patch_stack_embedding, SM::Any_smoothstep_bump>;
+  const std::string file = folder("c3.json"), copy = folder("copy.json");
+  SM::write_surface(file, some_surface<Atlas, SM::Smoothstep_bump<3>>());
+  const auto any = SM::read_surface<Any>(file);
+  CHECK(any.bump().smoothness == 3);
+  SM::write_surface(copy, any);
+  CHECK(folder.read("copy.json") == folder.read("c3.json"));
+  SM::write_surface(file, some_surface<Atlas, SM::Smoothstep_bump<5>>()); // more than it can
+  CHECK_THROWS_AS(SM::read_surface<Any>(file), SM::IO_error);
+}
+
 TEMPLATE_TEST_CASE("hierarchical surfaces read back bit for bit", "", SM::Plane_atlas, SM::Sphere_atlas,
                    SM::Torus_atlas)
 {

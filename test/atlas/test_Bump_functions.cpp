@@ -113,6 +113,19 @@ TEST_CASE("the largest values of the bumps")
   CHECK(Bspline_bump<3>()(0.5) == Approx(115 / 192.).epsilon(1e-15)); // quartic
 }
 
+TEMPLATE_TEST_CASE("a smoothness known at run time gives the same bits", "", Smoothstep_bump<0>,
+                   Smoothstep_bump<1>, Smoothstep_bump<2>, Smoothstep_bump<3>, Smoothstep_bump<4>)
+{
+  const TestType bump;
+  const CGAL::Simple_manifolds::Any_smoothstep_bump any(TestType::smoothness);
+  CHECK(any.smoothness == TestType::smoothness);
+  CHECK(std::string(any.type) == TestType::type);
+  for (double x = -0.125; x < 1.2; x += 0.0078125) {
+    REQUIRE(any(x) == bump(x));
+    REQUIRE(any.jet(x) == bump.jet(x));
+  }
+}
+
 TEST_CASE("the bumps' names in files")
 {
   CHECK(Smoothstep_bump<>::type == std::string("smoothstep"));

@@ -27,9 +27,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -70,6 +72,16 @@ Atlas atlas_of_json(const Json_field& j)
   return atlas_of_numbers<Atlas>([&j](const char* key) { return j[key].integer(0, 1 << 30); });
 }
 
+// The bump of a file: the smoothness of most is part of their type.
+template <class Bump>
+Bump bump_of_smoothness(int k)
+{
+  if constexpr (std::is_same_v<Bump, Any_smoothstep_bump>)
+    return Bump((std::min)(k, Bump::largest_smoothness));
+  else
+    return Bump();
+}
+
 template <class Surface>
 Surface surface_of_json(const Json_field& j)
 {
@@ -78,9 +90,10 @@ Surface surface_of_json(const Json_field& j)
   const Surface_header header = header_of_json(j);
   if (header.atlas != Atlas::name)
     j["atlas"].fail('"' + header.atlas + "\" where \"" + Atlas::name + "\" is expected");
-  if (header.bump != Bump::type || header.smoothness != Bump::smoothness)
+  const Bump bump = bump_of_smoothness<Bump>(header.smoothness);
+  if (header.bump != Bump::type || header.smoothness != bump.smoothness)
     j["bump"].fail(header.bump + " of smoothness " + std::to_string(header.smoothness) + " where " +
-                   Bump::type + " of smoothness " + std::to_string(Bump::smoothness) + " is expected");
+                   Bump::type + " of smoothness " + std::to_string(int(bump.smoothness)) + " is expected");
   const Json_field charts = j["charts"];
   const Atlas atlas = atlas_of_json<Atlas>(j);
   charts.require_size(atlas.number_of_charts());
@@ -91,7 +104,7 @@ Surface surface_of_json(const Json_field& j)
     if (list.size() == 0) list.fail("at least one patch is expected");
     embeddings.push_back(Embedding_io<Chart_embedding>::read(list, header.degree, atlas.number_of_charts()));
   }
-  return Surface(std::move(embeddings), Bump(), atlas);
+  return Surface(std::move(embeddings), bump, atlas);
 }
 
 } // namespace internal
@@ -123,7 +136,7 @@ void write_surface(const std::string& file, const Manifold_surface<Atlas, ChartE
   out.value("bump");
   out.object(2);
   out.entry("type", Bump::type);
-  out.entry("smoothness", int(Bump::smoothness));
+  out.entry("smoothness", int(surface.bump().smoothness));
   out.entry("degree", degree);
   out.value("charts");
   out.array(surface.atlas().number_of_charts());
@@ -170,7 +183,7 @@ Surface read_surface(const std::string& file)
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// Reads a surface over whichever canonical surface the file names, with the limits of `read_surface()`.
-/// \tparam Bump            the bump of the file
+/// \tparam Bump            the bump of the file, or `Any_smoothstep_bump`
 /// \tparam ChartEmbedding  as for `read_surface()`
 /// \return an `Any_surface<Bump, ChartEmbedding>`
 /// \throw IO_error as `read_surface()`

@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_ATLAS_BUMP_FUNCTIONS_H
 #define CGAL_SIMPLE_MANIFOLDS_ATLAS_BUMP_FUNCTIONS_H
 
+#include <CGAL/assertions.h>
+
 #include <array>
 
 /// \file
@@ -101,6 +103,59 @@ private:
       sum = sum * z + Number(internal::binomial(K + n, n));
     }
     return internal::power(y, K + 1) * sum;
+  }
+};
+
+/// \ingroup PkgSimpleManifoldsAtlas
+///
+/// The `Smoothstep_bump` whose smoothness is only known at run time, e.g. from an option or a file: one type for all
+/// of them, with the same values to the last bit. It takes somewhat more time to evaluate.
+///
+/// \cgalModels{BumpFunction}
+class Any_smoothstep_bump {
+  template <class F>
+  decltype(auto) with_bump(const F& f) const
+  {
+    switch (smoothness) {
+    case 0:
+      return f(Smoothstep_bump<0>());
+    case 1:
+      return f(Smoothstep_bump<1>());
+    case 3:
+      return f(Smoothstep_bump<3>());
+    case 4:
+      return f(Smoothstep_bump<4>());
+    default:
+      return f(Smoothstep_bump<2>());
+    }
+  }
+
+public:
+  static constexpr const char* type = "smoothstep"; ///< the spelling in files
+  static constexpr int largest_smoothness = 4;      ///< more is not to be had
+
+  int smoothness; ///< its continuous derivatives
+
+  /// \pre `0 <= k <= largest_smoothness`
+  explicit Any_smoothstep_bump(int k = 2) : smoothness(k)
+  {
+    CGAL_precondition(0 <= k && k <= largest_smoothness);
+  }
+
+  /// The value at `x`; 0 outside of (0,1).
+  double operator()(double x) const { return value(x); }
+
+  /// The value, the first and the second derivative at `x`; 0 outside of (0,1).
+  std::array<double, 3> jet(double x) const
+  {
+    return with_bump([x](const auto& bump) { return bump.jet(x); });
+  }
+
+  /// The value in the arithmetic of any field number type.
+  template <class Number>
+  Number value(const Number& x) const
+  {
+    return with_bump([&x](const auto& bump) { return bump.value(x); });
   }
 };
 

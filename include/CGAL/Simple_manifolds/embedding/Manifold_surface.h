@@ -85,7 +85,7 @@ public:
   {
     int k = charts_.front().smoothness();
     for (const Chart_embedding& e : charts_) k = (std::min)(k, e.smoothness());
-    return Atlas::has_single_chart ? k : (std::min)(k, Bump::smoothness);
+    return Atlas::has_single_chart ? k : (std::min)(k, int(bump().smoothness));
   }
 
   /// \name Evaluation at one point

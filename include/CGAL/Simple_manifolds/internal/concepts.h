@@ -102,7 +102,7 @@ using Domain_point_of = typename Plain<T>::Domain_point;
   CGAL_SIMPLE_MANIFOLDS_REQUIRE("BumpFunction", const Bump&, b, double(b(0.5)),                              \
                                 "double operator()(double)");                                                \
   CGAL_SIMPLE_MANIFOLDS_REQUIRE("BumpFunction", const Bump&, b, double(b.jet(0.5)[2]), "jet(x)");            \
-  CGAL_SIMPLE_MANIFOLDS_REQUIRE("BumpFunction", const Bump&, b, int(b.smoothness), "the constant smoothness")
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE("BumpFunction", const Bump&, b, int(b.smoothness), "smoothness")
 
 #define CGAL_SIMPLE_MANIFOLDS_REQUIRE_EMBEDDING(Embedding)                                                   \
   CGAL_SIMPLE_MANIFOLDS_REQUIRE("ChartEmbedding", const Embedding&, e, int(e.smoothness()), "smoothness()"); \
