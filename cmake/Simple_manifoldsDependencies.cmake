@@ -3,6 +3,7 @@
 # Needed:   CGAL >= 5.5, Eigen 3.4 or later, Boost.
 # Optional: nlohmann_json  -> CGAL::Simple_manifolds_IO       (files of surfaces and metrics)
 #           libpng         -> CGAL::Simple_manifolds_PNG      (images of textures)
+#           zlib           -> CGAL::Simple_manifolds_ZLIB     (compressed meshes)
 #           zlib, three.js -> CGAL::Simple_manifolds_report   (pages that show maps and surfaces)
 #           CHOLMOD        -> CGAL::Simple_manifolds_CHOLMOD  (faster sparse least squares)
 #           oneTBB         -> CGAL::TBB_support               (CGAL::Parallel_tag)
@@ -53,6 +54,12 @@ if(PNG_FOUND AND NOT TARGET CGAL::Simple_manifolds_PNG)
 endif()
 
 find_package(ZLIB QUIET)
+if(ZLIB_FOUND AND NOT TARGET CGAL::Simple_manifolds_ZLIB)
+  add_library(CGAL::Simple_manifolds_ZLIB INTERFACE IMPORTED GLOBAL)
+  set_target_properties(CGAL::Simple_manifolds_ZLIB PROPERTIES
+    INTERFACE_COMPILE_DEFINITIONS CGAL_SIMPLE_MANIFOLDS_USE_ZLIB
+    INTERFACE_LINK_LIBRARIES "CGAL::Simple_manifolds;ZLIB::ZLIB")
+endif()
 include("${CMAKE_CURRENT_LIST_DIR}/Simple_manifolds_report.cmake")
 if(TARGET CGAL::Simple_manifolds_IO AND ZLIB_FOUND AND SIMPLE_MANIFOLDS_THREE_JS
    AND NOT TARGET CGAL::Simple_manifolds_report)

@@ -16,6 +16,7 @@
 #include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
 #include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
 #include <CGAL/Simple_manifolds/IO/internal/atlas_numbers.h>
+#include <CGAL/Simple_manifolds/IO/internal/file_contents.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/canonical_surfaces.h>
 #include <CGAL/Simple_manifolds/correspondence/Any_map.h>
@@ -87,6 +88,7 @@ Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
 
   Input_indices input = input_indices(ply, inputs);
   File_mesh mesh = ply.mesh();
+  if (!mesh.warnings.empty()) ply.fail("no map as it was written: " + mesh.warnings[0].sentence());
   checked_topology(file, mesh);
   std::vector<Triangle> faces;
   for (int f = 0; f < mesh.number_of_faces(); ++f) {

@@ -13,9 +13,7 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/internal/File_mesh.h>
-#include <CGAL/Simple_manifolds/IO/internal/Ply_file.h>
-#include <CGAL/Simple_manifolds/IO/internal/read_stl.h>
-#include <CGAL/Simple_manifolds/IO/internal/read_text_formats.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_file_mesh.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 #include <CGAL/Simple_manifolds/internal/add_soup.h>
 #include <CGAL/Simple_manifolds/internal/put_vector.h>
@@ -25,11 +23,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <string>
-#include <system_error>
 #include <vector>
 
 /// \file
@@ -37,31 +31,9 @@
 namespace CGAL {
 namespace Simple_manifolds {
 
-namespace internal {
-
-inline File_mesh read_file_mesh(const std::string& file)
-{
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  const bool is_known =
-    extension == ".off" || extension == ".obj" || extension == ".ply" || extension == ".stl";
-  std::error_code ignored; // e.g. of a name that is too long: the file cannot be opened either
-  if (!is_known && std::filesystem::exists(file, ignored))
-    throw IO_error(Error_code::unsupported_format, file,
-                   "the extension \"" + extension + "\" is none of .off, .obj, .ply, .stl");
-  const std::string bytes = file_contents(file);
-  if (extension == ".off") return read_off(file, bytes);
-  if (extension == ".obj") return read_obj(file, bytes);
-  if (extension == ".stl") return read_stl(file, bytes);
-  return Ply_file(file, bytes).mesh();
-}
-
-} // namespace internal
-
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// Reads a mesh from an OFF, OBJ, PLY or STL file and adds it to `mesh`. The whole file is checked
+/// Reads a mesh from an OFF, OBJ, PLY or STL file, compressed by gzip or not, and adds it to `mesh`. The whole file is checked
 /// before anything is added, so that `mesh` is as it was when an error is thrown; memory and time are
 /// linear in the size of the file, whatever its header says. Isolated vertices are kept. Corners of an
 /// STL with equal coordinates become one vertex.
@@ -69,7 +41,8 @@ inline File_mesh read_file_mesh(const std::string& file)
 /// What is thrown later, `std::bad_alloc` or an exception of the point map, leaves `mesh` with the elements that
 /// it had: those that were added are removed again, which a `Surface_mesh` counts as garbage.
 ///
-/// \param file  the extension says the format; OFF and OBJ are text, PLY and STL text or binary
+/// \param file  text or binary, of any extension: the contents say the format, and the extension where they leave a
+///        doubt. Compressed files need zlib (target `CGAL::Simple_manifolds_ZLIB`)
 /// \param mesh  a model of `MutableFaceGraph`; it receives the vertices and faces in the file's order
 /// \param np  named parameters
 /// \cgalNamedParamsBegin

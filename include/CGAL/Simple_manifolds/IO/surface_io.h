@@ -13,7 +13,7 @@
 #include <CGAL/Simple_manifolds/IO/internal/Document_writer.h>
 #include <CGAL/Simple_manifolds/IO/internal/Embedding_io.h>
 #include <CGAL/Simple_manifolds/IO/internal/Json_field.h>
-#include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
+#include <CGAL/Simple_manifolds/IO/internal/file_contents.h>
 #include <CGAL/Simple_manifolds/IO/internal/atlas_numbers.h>
 #include <CGAL/Simple_manifolds/IO/internal/parse_document.h>
 #include <CGAL/Simple_manifolds/atlas/Bump_functions.h>

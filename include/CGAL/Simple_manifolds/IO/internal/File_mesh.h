@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/Read_warning.h>
+#include <CGAL/Simple_manifolds/Mesh_properties.h>
 #include <CGAL/Simple_manifolds/Mesh_soup.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
@@ -25,6 +26,7 @@ namespace internal {
 // before there is a mesh.
 class File_mesh : public Mesh_soup {
 public:
+  Mesh_properties properties;
   std::vector<Read_warning> warnings; // at most one of each kind, in the order of their first places
 
   // One more, or `count` more, of what is passed over.
@@ -36,6 +38,21 @@ public:
         return;
       }
     warnings.push_back({kind, count, first});
+  }
+
+  // The triangles of strips of vertices, which -1 ends; each other one is turned.
+  void add_strip(const std::vector<int>& vertices)
+  {
+    int length = 0;
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      length = vertices[k] == -1 ? 0 : length + 1;
+      if (length < 3) continue;
+      const bool is_turned = length % 2 == 0;
+      add_corner(vertices[k - 2 + is_turned]);
+      add_corner(vertices[k - 1 - is_turned]);
+      add_corner(vertices[k]);
+      end_face();
+    }
   }
 };
 
