@@ -4,6 +4,7 @@
 
 #include <CGAL/simple_manifolds.h>
 
+#include <CGAL/Simple_manifolds/IO/internal/read_file_mesh_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/closed_triangles_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_plane_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_sphere_impl.h>

@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_file_formats {
+
 namespace SM = CGAL::Simple_manifolds;
 using SM::Read_warning;
 using SM::internal::File_mesh;
@@ -357,3 +359,5 @@ TEST_CASE("compressed files")
 }
 
 #endif
+
+} // namespace test_file_formats

@@ -3,6 +3,9 @@
 // scripts/fuzz makes a libFuzzer program of this file and replay.cpp a test. The environment's FUZZ_FORMAT is
 // off, obj, stl, ply (meshes), map (a PLY file with a map) or surface (JSON and CBOR).
 
+#include <CGAL/Simple_manifolds/IO/internal/read_obj.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_off.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_stl.h>
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/IO/read_mesh.h>
 #include <CGAL/Simple_manifolds/IO/surface_io.h>
