@@ -27,6 +27,7 @@
 
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/Input_indices.h>
+#include <CGAL/Simple_manifolds/correspondence/Component.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
 #include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
@@ -34,10 +35,12 @@
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
 #include <CGAL/Simple_manifolds/correspondence/criteria.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
+#include <CGAL/Simple_manifolds/correspondence/map_components.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_plane.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_torus.h>
+#include <CGAL/Simple_manifolds/correspondence/mesh_components.h>
 #include <CGAL/Simple_manifolds/correspondence/refine.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
@@ -53,6 +56,7 @@
 #include <CGAL/Simple_manifolds/embedding/Surface_fitter.h>
 #include <CGAL/Simple_manifolds/embedding/closest_point.h>
 #include <CGAL/Simple_manifolds/embedding/correct_parameters.h>
+#include <CGAL/Simple_manifolds/embedding/fit_components.h>
 #include <CGAL/Simple_manifolds/embedding/fit_mesh_surface.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
 #include <CGAL/Simple_manifolds/embedding/measures.h>

@@ -105,10 +105,11 @@ def check_vtk(folder, expected, check):
             found.append([corners.GetId(k) for k in range(corners.GetNumberOfIds())])
         check.equal(f"{name}.vtp: triangles", found, e["triangles"])
         data = mesh.GetPointData()
-        fields = ["normal"] * ("normals" in e) + ["chart", "uv"] + list(e["fields"])
+        fields = ["normal"] * ("normals" in e) + ["chart", "uv"] + list(e.get("fields") or {})
+        fields += ["part"] * ("part_names" in e)
         names = [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
         check.equal(f"{name}.vtp: fields", names, fields)
-        for field, values in e["fields"].items():
+        for field, values in (e.get("fields") or {}).items():
             array = data.GetArray(field)
             found = [array.GetValue(i) for i in range(array.GetNumberOfTuples())] if array else None
             check.equal(f"{name}.vtp: {field}", found, values)
@@ -119,6 +120,13 @@ def check_vtk(folder, expected, check):
         array = mesh.GetCellData().GetArray("chart")
         found = [array.GetValue(i) for i in range(array.GetNumberOfTuples())] if array else None
         check.equal(f"{name}.vtp: charts of faces", found, e["face_charts"])
+        if "part_names" in e:
+            array = mesh.GetCellData().GetArray("part")
+            found = [array.GetValue(i) for i in range(array.GetNumberOfTuples())] if array else None
+            check.equal(f"{name}.vtp: parts of faces", found, e["parts"])
+            array = mesh.GetFieldData().GetAbstractArray("part_names")
+            found = [array.GetValue(i) for i in range(array.GetNumberOfValues())] if array else None
+            check.equal(f"{name}.vtp: names of parts", found, e["part_names"])
 
         reader = vtkGLTFReader()
         parts = leaves(read(reader, folder / f"{name}.glb"))

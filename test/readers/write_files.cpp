@@ -6,6 +6,8 @@
 #include "../IO/sample_maps.h"
 
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
+#include <CGAL/Simple_manifolds/IO/charted_components.h>
+#include <CGAL/Simple_manifolds/IO/internal/chart_parts.h>
 #include <CGAL/Simple_manifolds/IO/png_images.h>
 #include <CGAL/Simple_manifolds/IO/write_gltf.h>
 #include <CGAL/Simple_manifolds/IO/write_obj.h>
@@ -34,14 +36,17 @@ void write(const std::string& folder, const std::string& name, const SM::Charted
   SM::write_vtp(file + ".vtp", mesh);
 
   Json& j = expected[name];
-  std::set<int> charts(mesh.charts.begin(), mesh.charts.end());
+  const SM::internal::Part_numbers part(mesh);
+  std::set<std::pair<int, int>> charts; // of parts
   std::set<std::pair<int, int>> wedges; // a vertex in one chart
   Eigen::AlignedBox3d box;
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    charts.insert({mesh.parts.empty() ? 0 : part.triangles[f], mesh.charts[f]});
     for (int v : mesh.triangles[f]) {
       wedges.insert({v, mesh.charts[f]});
       box.extend(mesh.points[v]);
     }
+  }
   j["vertices"] = mesh.points.size();
   j["faces"] = mesh.triangles.size();
   j["charts"] = charts.size();
@@ -54,6 +59,8 @@ void write(const std::string& folder, const std::string& name, const SM::Charted
   for (const auto& n : mesh.normals) j["normals"].push_back({n.x(), n.y(), n.z()});
   j["triangles"] = mesh.triangles;
   j["face_charts"] = mesh.charts;
+  j["parts"] = part.triangles;
+  for (const auto& p : mesh.parts) j["part_names"].push_back(p.name);
 }
 
 template <class Surface>
@@ -81,5 +88,13 @@ int main(int, char** argv)
   write(folder, ellipsoid(Eigen::Vector3d(1, 2, 3)), expected);
   write(folder, ring(3, 1), expected);
   write(folder, "no_chart", SM::charted_mesh(tetrahedron_map()), expected);
+
+  // Several bodies, with the fields that all have: JSON knows no NaN.
+  SM::Charted_mesh several =
+    SM::joined({SM::charted_tessellation(ellipsoid(Eigen::Vector3d(1, 2, 3))),
+                SM::charted_tessellation(ring(9, 1)), SM::charted_mesh(tetrahedron_map())},
+               {"part-1", "ring", "third"});
+  several.fields.clear();
+  write(folder, "several", several, expected);
   std::ofstream(folder + "/expected.json") << expected;
 }

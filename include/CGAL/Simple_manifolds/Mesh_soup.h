@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_MESH_SOUP_H
 #define CGAL_SIMPLE_MANIFOLDS_MESH_SOUP_H
 
+#include <CGAL/Simple_manifolds/internal/Element_names.h>
+
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
@@ -112,6 +114,7 @@ public:
 #ifndef DOXYGEN_RUNNING
   static constexpr bool knows_edges = false; // equal ends mean equal edges
   bool is_border_in_graph(int) const { return false; }
+  internal::Element_names names() const { return internal::Element_names(); }
 #endif
 
 private:

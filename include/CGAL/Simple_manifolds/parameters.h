@@ -26,6 +26,7 @@
   X(corners)             /* Range of 4 vertex_descriptor: the corners of the square */                       \
   X(landmarks)           /* Range of Landmark: soft targets of vertices */                                   \
   X(close_borders)       /* Close_borders: which border loops are closed virtually */                        \
+  X(max_components)      /* std::size_t: only this many components of a mesh, the largest */                 \
   X(domain_point_map)    /* WritablePropertyMap vertex -> domain point */                                    \
   X(max_error)           /* double: largest |E - M| allowed, fraction of the diagonal */                     \
   X(rms_error)           /* double: largest root mean square of |E - M|, fraction of the diagonal */         \
@@ -38,6 +39,7 @@
   X(fairness)            /* double: weight of the thin plate energy */                                       \
   X(vertex_weights)      /* Range of double: weights of the vertices of a map in a fit */                    \
   X(fit_report)          /* std::reference_wrapper<Fit_report> */                                            \
+  X(fit_reports)         /* std::reference_wrapper<std::vector<Fit_report>>: one per component */            \
   X(average_delta)       /* double: largest mean of b_c |M - E_c| at the vertices of a chart */              \
   X(max_delta)           /* double: largest b_c |M - E_c| there, fraction of the diagonal */                 \
   X(patch_controls)      /* int: controls per side of a patch */                                             \

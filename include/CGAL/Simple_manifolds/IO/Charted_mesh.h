@@ -59,11 +59,24 @@ struct Charted_mesh {
   std::vector<int> charts;
   /// Per triangle and corner the coordinates in that chart; zero where there is none.
   std::vector<std::array<Eigen::Vector2d, 3>> coordinates;
-  /// Per chart the contents of a PNG file, as `png_images()` makes them; or none.
+  /// Per chart the contents of a PNG file, as `png_images()` makes them; or none. Of several parts, those of one after
+  /// those of the other.
   std::vector<std::string> images;
 
+  /// One of several bodies, each with charts of its own. Its vertices, triangles and images follow those of the part
+  /// before it.
+  struct Part {
+    std::string name;  ///< in files, where what is no letter, digit, point or dash becomes an underscore
+    std::string atlas; ///< the name of the atlas
+    std::size_t vertices = 0;  ///< how many it has
+    std::size_t triangles = 0; ///< how many it has
+    std::size_t images = 0;    ///< how many it has
+  };
+  std::vector<Part> parts; ///< none: it is one body
+
   /// Whether there is a triangle, all arrays have as many entries as there are vertices or triangles, all
-  /// triangles refer to vertices, and the names of fields are words of letters, digits and underscores.
+  /// triangles refer to vertices, of their part, the names of fields are words of letters, digits and underscores, and
+  /// the parts, if there are any, are all of it.
   bool is_valid() const
   {
     const std::size_t n = points.size(), m = triangles.size();
@@ -76,6 +89,18 @@ struct Charted_mesh {
     for (const Triangle& t : triangles)
       for (int v : t) is_valid = is_valid && 0 <= v && std::size_t(v) < n;
     for (int c : charts) is_valid = is_valid && c >= -1;
+    std::size_t first_vertex = 0, first_triangle = 0, first_image = 0;
+    for (const Part& part : parts) {
+      for (std::size_t f = first_triangle; is_valid && f < first_triangle + part.triangles; ++f)
+        for (int v : f < m ? triangles[f] : Triangle{-1, -1, -1})
+          is_valid = is_valid && v >= 0 && first_vertex <= std::size_t(v) &&
+                     std::size_t(v) < first_vertex + part.vertices;
+      first_vertex += part.vertices;
+      first_triangle += part.triangles;
+      first_image += part.images;
+    }
+    if (!parts.empty())
+      is_valid = is_valid && first_vertex == n && first_triangle == m && first_image == images.size();
     return is_valid;
   }
 };

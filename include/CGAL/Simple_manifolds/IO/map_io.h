@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -121,6 +122,88 @@ Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
   }
 }
 
+// Of a file that holds the map of one of several components: which of how many it is, from 1, and its name.
+struct Map_file_part {
+  std::size_t number = 0, count = 0; // 0: it is the only one
+  std::string name;
+};
+
+inline Map_file_part part_of_ply(const Ply_file& ply, const std::string& file)
+{
+  Map_file_part part;
+  const std::string text = value_of_comment(ply, "component");
+  std::istringstream words(text);
+  std::string number, of, count;
+  if (text.empty() || !(words >> number >> of >> count) || of != "of") return part;
+  const Text_scanner scanner(file, text, false);
+  const long long k = scanner.integer(number, "the number of the component");
+  const long long n = scanner.integer(count, "the number of components");
+  if (k < 1 || k > n || n > 2147483647) ply.fail("there is no component " + number + " of " + count);
+  part.number = std::size_t(k);
+  part.count = std::size_t(n);
+  std::getline(words >> std::ws, part.name);
+  return part;
+}
+
+// A map to whichever canonical surface the file names, and which part it is.
+inline Any_map read_any_map(const std::string& file, Map_file_part* part = nullptr)
+{
+  const std::string bytes = file_contents(file);
+  Ply_file ply(file, bytes);
+  if (part) *part = part_of_ply(ply, file);
+  std::optional<Any_map> map;
+  Canonical_surfaces::visit_name(value_of_comment(ply, "atlas"), [&](auto type) {
+    map.emplace(map_of_ply<typename decltype(type)::Atlas>(ply, file));
+  });
+  if (!map)
+    ply.fail("no map: no comment \"atlas NAME\" with one of the names " + Canonical_surfaces::names());
+  return std::move(*map);
+}
+
+template <class Atlas>
+void write_map_file(const std::string& file, const Manifold_map<Atlas>& map, bool is_binary,
+                    const Map_file_part& part = Map_file_part())
+{
+  Atomic_file output(file);
+  Ply_rows ply(output.stream(), is_binary);
+  ply.header("comment simple_manifolds map");
+  ply.header(std::string("comment atlas ") + Atlas::name);
+  for (const Atlas_number& n : numbers_of(map.atlas()))
+    ply.header("comment " + n.key + ' ' + std::to_string(n.value));
+  ply.header("comment input_vertices " + std::to_string(map.number_of_input_vertices()));
+  if (map.number_of_virtual_faces() > 0)
+    ply.header("comment virtual_faces " + std::to_string(map.number_of_virtual_faces()));
+  if (part.number > 0) {
+    std::string name = part.name;
+    for (char& c : name)
+      if (static_cast<unsigned char>(c) < ' ') c = '_'; // a comment is one line
+    ply.header("comment component " + std::to_string(part.number) + " of " + std::to_string(part.count) +
+               ' ' + name);
+  }
+  const bool has_left_out = !map.input_indices().vertices.empty();
+  if (has_left_out)
+    ply.header(
+      "comment input_vertex is the number of a vertex in the input, -1 of an added one; those that are "
+      "missing belong to no face" +
+      std::string(part.number > 0 ? " or to another component" : ""));
+  ply.header("element vertex " + std::to_string(map.number_of_vertices()));
+  for (const char* name : {"x", "y", "z"}) ply.header(std::string("property double ") + name);
+  for (const std::string& name : domain_properties<Atlas>()) ply.header("property double " + name);
+  if (has_left_out) ply.header("property int input_vertex");
+  ply.header("element face " + std::to_string(map.number_of_faces()));
+  ply.header("property list uchar int vertex_indices");
+  ply.header("property int chart");
+  ply.header("end_header");
+  for (std::size_t v = 0; v < map.number_of_vertices(); ++v) {
+    ply.values(map.point(v));
+    ply.values(map.domain_point(v));
+    if (has_left_out) ply.value(map.input_vertex(v));
+    ply.end_row();
+  }
+  write_ply_triangles(ply, map.faces(), [&](int f) { ply.value(map.chart(f)); });
+  output.commit();
+}
+
 } // namespace internal
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -143,36 +226,7 @@ void write_map(const std::string& file, const Manifold_map<Atlas>& map,
                const NamedParameters& np = parameters::default_values())
 {
   CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "use_binary_mode");
-  Atomic_file output(file);
-  internal::Ply_rows ply(output.stream(), internal::parameter(np, CGAL::internal_np::use_binary_mode, true));
-  ply.header("comment simple_manifolds map");
-  ply.header(std::string("comment atlas ") + Atlas::name);
-  for (const internal::Atlas_number& n : internal::numbers_of(map.atlas()))
-    ply.header("comment " + n.key + ' ' + std::to_string(n.value));
-  ply.header("comment input_vertices " + std::to_string(map.number_of_input_vertices()));
-  if (map.number_of_virtual_faces() > 0)
-    ply.header("comment virtual_faces " + std::to_string(map.number_of_virtual_faces()));
-  const bool has_left_out = !map.input_indices().vertices.empty();
-  if (has_left_out)
-    ply.header(
-      "comment input_vertex is the number of a vertex in the input, -1 of an added one; those that are "
-      "missing belong to no face");
-  ply.header("element vertex " + std::to_string(map.number_of_vertices()));
-  for (const char* name : {"x", "y", "z"}) ply.header(std::string("property double ") + name);
-  for (const std::string& name : internal::domain_properties<Atlas>()) ply.header("property double " + name);
-  if (has_left_out) ply.header("property int input_vertex");
-  ply.header("element face " + std::to_string(map.number_of_faces()));
-  ply.header("property list uchar int vertex_indices");
-  ply.header("property int chart");
-  ply.header("end_header");
-  for (std::size_t v = 0; v < map.number_of_vertices(); ++v) {
-    ply.values(map.point(v));
-    ply.values(map.domain_point(v));
-    if (has_left_out) ply.value(map.input_vertex(v));
-    ply.end_row();
-  }
-  internal::write_ply_triangles(ply, map.faces(), [&](int f) { ply.value(map.chart(f)); });
-  output.commit();
+  internal::write_map_file(file, map, internal::parameter(np, CGAL::internal_np::use_binary_mode, true));
 }
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -196,18 +250,7 @@ Manifold_map<Atlas> read_map(const std::string& file)
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// Reads a map to whichever canonical surface the file names; else as `read_map<Atlas>()`.
-inline Any_map read_map(const std::string& file)
-{
-  const std::string bytes = internal::file_contents(file);
-  internal::Ply_file ply(file, bytes);
-  std::optional<Any_map> map;
-  Canonical_surfaces::visit_name(internal::value_of_comment(ply, "atlas"), [&](auto type) {
-    map.emplace(internal::map_of_ply<typename decltype(type)::Atlas>(ply, file));
-  });
-  if (!map)
-    ply.fail("no map: no comment \"atlas NAME\" with one of the names " + Canonical_surfaces::names());
-  return std::move(*map);
-}
+inline Any_map read_map(const std::string& file) { return internal::read_any_map(file); }
 
 } // namespace Simple_manifolds
 } // namespace CGAL

@@ -54,7 +54,14 @@ struct Surface_header {
 namespace internal {
 
 inline constexpr const char* surface_format = "simple_manifolds_surface";
+inline constexpr const char* surfaces_format = "simple_manifolds_surfaces"; // of the components of a mesh
 inline constexpr int surface_version = 1;
+
+// Whether it is a document of the surfaces of components.
+inline bool has_parts(const Json_field& j)
+{
+  return j.has("format") && j["format"].text() == surfaces_format;
+}
 
 inline Surface_header header_of_json(const Json_field& j)
 {
@@ -82,8 +89,9 @@ Bump bump_of_smoothness(int k)
     return Bump();
 }
 
+// share: of how many surfaces this is one, which share the memory.
 template <class Surface>
-Surface surface_of_json(const Json_field& j)
+Surface surface_of_json(const Json_field& j, int share = 1)
 {
   using Atlas = typename Surface::Atlas;
   using Bump = typename Surface::Bump;
@@ -102,9 +110,61 @@ Surface surface_of_json(const Json_field& j)
   for (std::size_t c = 0; c < charts.size(); ++c) {
     const Json_field list = charts[c]["patches"];
     if (list.size() == 0) list.fail("at least one patch is expected");
-    embeddings.push_back(Embedding_io<Chart_embedding>::read(list, header.degree, atlas.number_of_charts()));
+    embeddings.push_back(
+      Embedding_io<Chart_embedding>::read(list, header.degree, share * atlas.number_of_charts()));
   }
   return Surface(std::move(embeddings), bump, atlas);
+}
+
+// The document of a surface, with its name if it is one of several.
+template <class Atlas, class ChartEmbedding, class Bump>
+void write_surface_object(Document_writer& out, const Manifold_surface<Atlas, ChartEmbedding, Bump>& surface,
+                          const std::optional<std::string>& name = std::nullopt)
+{
+  using Io = Embedding_io<ChartEmbedding>;
+  const int degree = Io::degree(surface.chart_embedding(0));
+  const std::vector<Atlas_number> numbers = numbers_of(surface.atlas());
+  out.object(6 + numbers.size() + (name ? 1 : 0));
+  if (name) out.entry("name", valid_text(*name));
+  out.entry("format", surface_format);
+  out.entry("version", surface_version);
+  out.entry("atlas", Atlas::name);
+  for (const Atlas_number& n : numbers) out.entry(n.key.c_str(), n.value);
+  out.value("bump");
+  out.object(2);
+  out.entry("type", Bump::type);
+  out.entry("smoothness", int(surface.bump().smoothness));
+  out.entry("degree", degree);
+  out.value("charts");
+  out.array(surface.atlas().number_of_charts());
+  for (int c = 0; c < surface.atlas().number_of_charts(); ++c) {
+    const ChartEmbedding& embedding = surface.chart_embedding(c);
+    CGAL_precondition(Io::degree(embedding) == degree);
+    const std::vector<Patch_record> patches = Io::patches(embedding);
+    out.object(1);
+    out.value("patches");
+    out.array(patches.size());
+    for (const Patch_record& patch : patches) write_patch(out, patch);
+  }
+}
+
+inline bool is_cbor_name(const std::string& file)
+{
+  return std::filesystem::path(file).extension() == ".cbor";
+}
+
+// A surface over whichever canonical surface the document names.
+template <class Bump, class ChartEmbedding>
+Any_surface<Bump, ChartEmbedding> any_surface_of_json(const Json_field& j, int share = 1)
+{
+  const std::string atlas = header_of_json(j).atlas;
+  std::optional<Any_surface<Bump, ChartEmbedding>> surface;
+  Canonical_surfaces::visit_name(atlas, [&](auto type) {
+    using Surface = Manifold_surface<typename decltype(type)::Atlas, ChartEmbedding, Bump>;
+    surface.emplace(surface_of_json<Surface>(j, share));
+  });
+  if (!surface) j["atlas"].fail("\"" + atlas + "\" is none of " + Canonical_surfaces::names());
+  return std::move(*surface);
 }
 
 } // namespace internal
@@ -122,45 +182,27 @@ Surface surface_of_json(const Json_field& j)
 template <class Atlas, class ChartEmbedding, class Bump>
 void write_surface(const std::string& file, const Manifold_surface<Atlas, ChartEmbedding, Bump>& surface)
 {
-  using Io = internal::Embedding_io<ChartEmbedding>;
-  const int degree = Io::degree(surface.chart_embedding(0));
-  const bool is_cbor = std::filesystem::path(file).extension() == ".cbor";
+  const bool is_cbor = internal::is_cbor_name(file);
   Atomic_file output(file);
   internal::Document_writer out(output.stream(), is_cbor);
-  const std::vector<internal::Atlas_number> numbers = internal::numbers_of(surface.atlas());
-  out.object(6 + numbers.size());
-  out.entry("format", internal::surface_format);
-  out.entry("version", internal::surface_version);
-  out.entry("atlas", Atlas::name);
-  for (const internal::Atlas_number& n : numbers) out.entry(n.key.c_str(), n.value);
-  out.value("bump");
-  out.object(2);
-  out.entry("type", Bump::type);
-  out.entry("smoothness", int(surface.bump().smoothness));
-  out.entry("degree", degree);
-  out.value("charts");
-  out.array(surface.atlas().number_of_charts());
-  for (int c = 0; c < surface.atlas().number_of_charts(); ++c) {
-    const ChartEmbedding& embedding = surface.chart_embedding(c);
-    CGAL_precondition(Io::degree(embedding) == degree);
-    const std::vector<internal::Patch_record> patches = Io::patches(embedding);
-    out.object(1);
-    out.value("patches");
-    out.array(patches.size());
-    for (const internal::Patch_record& patch : patches) internal::write_patch(out, patch);
-  }
+  internal::write_surface_object(out, surface);
   if (!is_cbor) output.stream() << '\n';
   output.commit();
 }
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// Says what a surface file, JSON or CBOR, holds, so that the type to read it with can be chosen.
+/// Says what a surface file, JSON or CBOR, holds, so that the type to read it with can be chosen; of a file of several
+/// surfaces, what it says of the first.
 /// \throw IO_error when the file is missing or no surface
 inline Surface_header read_surface_header(const std::string& file)
 {
   const internal::Document document{internal::parse_document(file, internal::file_contents(file))};
-  return internal::header_of_json(internal::Json_field(file, document.root));
+  const internal::Json_field root(file, document.root);
+  if (!internal::has_parts(root)) return internal::header_of_json(root);
+  const internal::Json_field parts = root["parts"];
+  if (parts.size() == 0) parts.fail("at least one surface is expected");
+  return internal::header_of_json(parts[std::size_t(0)]);
 }
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -190,17 +232,8 @@ Surface read_surface(const std::string& file)
 template <class Bump = Smoothstep_bump<2>, class ChartEmbedding = Hierarchical_embedding>
 auto read_any_surface(const std::string& file)
 {
-  using Any = Any_surface<Bump, ChartEmbedding>;
   const internal::Document document{internal::parse_document(file, internal::file_contents(file))};
-  const internal::Json_field root(file, document.root);
-  const std::string atlas = internal::header_of_json(root).atlas;
-  std::optional<Any> surface;
-  Canonical_surfaces::visit_name(atlas, [&](auto type) {
-    using Surface = Manifold_surface<typename decltype(type)::Atlas, ChartEmbedding, Bump>;
-    surface.emplace(internal::surface_of_json<Surface>(root));
-  });
-  if (!surface) root["atlas"].fail("\"" + atlas + "\" is none of " + Canonical_surfaces::names());
-  return std::move(*surface);
+  return internal::any_surface_of_json<Bump, ChartEmbedding>(internal::Json_field(file, document.root));
 }
 
 } // namespace Simple_manifolds

@@ -45,10 +45,17 @@ public:
     if (!box.isEmpty()) centre_ = box.center();
     json_["asset"] = {{"version", "2.0"}, {"generator", "Simple_manifolds"}};
     json_["scene"] = 0;
-    json_["scenes"] = {{{"nodes", {0}}}};
-    // Positions are in single precision: relative to the centre they keep as many digits as they can.
-    json_["nodes"] = {{{"mesh", 0}, {"translation", {centre_.x(), centre_.y(), centre_.z()}}}};
-    json_["meshes"] = {{{"name", mesh.kind}, {"primitives", Json::array()}}};
+    json_["scenes"] = {{{"nodes", Json::array()}}};
+    const std::vector<Charted_mesh::Part> bodies = bodies_of(mesh);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      json_["scenes"][0]["nodes"].push_back(b);
+      // Positions are in single precision: relative to the centre they keep as many digits as they can.
+      Json node = {{"mesh", b}, {"translation", {centre_.x(), centre_.y(), centre_.z()}}};
+      if (!mesh.parts.empty()) node["name"] = bodies[b].name;
+      json_["nodes"].push_back(node);
+      json_["meshes"].push_back(
+        {{"name", mesh.parts.empty() ? mesh.kind : bodies[b].name}, {"primitives", Json::array()}});
+    }
   }
 
   void add(const Chart_part& part)
@@ -69,10 +76,9 @@ public:
     if (!normals.empty()) attributes["NORMAL"] = add_vectors(normals);
     if (part.has_coordinates()) attributes["TEXCOORD_0"] = add_vectors(coordinates);
 
-    const bool has_image = part.has_coordinates() && std::size_t(part.chart) < mesh_.images.size();
     Json surface = {{"metallicFactor", 0}, {"roughnessFactor", 0.7}};
-    if (has_image) {
-      surface["baseColorTexture"]["index"] = add_texture(mesh_.images[part.chart]);
+    if (part.image) {
+      surface["baseColorTexture"]["index"] = add_texture(*part.image);
     } else {
       const Eigen::Vector3f colour = linear_colour(chart_colour(part.chart)).cast<float>();
       attributes["COLOR_0"] = add_vectors(std::vector<Eigen::Vector3f>(points.size(), colour));
@@ -80,8 +86,8 @@ public:
     primitive["indices"] = add_indices(part.triangles);
     primitive["material"] = json_["materials"].size();
     json_["materials"].push_back(
-      {{"name", part.name()}, {"pbrMetallicRoughness", surface}, {"doubleSided", true}});
-    json_["meshes"][0]["primitives"].push_back(primitive);
+      {{"name", part.name}, {"pbrMetallicRoughness", surface}, {"doubleSided", true}});
+    json_["meshes"][part.body]["primitives"].push_back(primitive);
   }
 
   // The file: a header, and the text and the bytes as one chunk each.
@@ -89,7 +95,7 @@ public:
   {
     json_["buffers"] = {{{"byteLength", bytes_.size()}}};
     Byte_buffer text;
-    text.add(json_.dump());
+    text.add(json_.dump(-1, ' ', false, Json::error_handler_t::replace)); // of names that are no UTF-8
     text.align(' ');
     const std::size_t size = 12 + 8 + text.size() + 8 + bytes_.size();
     if (size > (std::numeric_limits<std::uint32_t>::max)())
@@ -195,7 +201,8 @@ private:
 /// where the mesh has them, and with the coordinates in the chart as texture coordinates. With `mesh.images`
 /// the images of the charts are in the file; without, vertices have the colour of the chart. A vertex on the
 /// border of two charts comes once in each. Positions are in single precision relative to the centre of the
-/// bounding box, axes as they are (viewers show y upwards). Fields are not written.
+/// bounding box, axes as they are (viewers show y upwards). Fields are not written. Each of several parts is a node and
+/// a mesh with its name.
 ///
 /// \pre `mesh.is_valid()`
 /// \throw IO_error (`cannot_write`), also when a coordinate is too large for single precision; a file that

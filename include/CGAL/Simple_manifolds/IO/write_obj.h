@@ -45,11 +45,15 @@ inline void write_obj_lines(std::ostream& out, const Charted_mesh& mesh, const s
   out << "# simple_manifolds " << mesh.kind << ", atlas " << mesh.atlas << "\nmtllib " << materials << '\n';
   for (const Eigen::Vector3d& x : mesh.points) write_obj_row(out, "v", x);
   for (const Eigen::Vector3d& x : mesh.normals) write_obj_row(out, "vn", x);
+  const std::vector<std::string> bodies = words_of(mesh.parts);
   std::size_t coordinates = 1; // the number of the first pair of the part
+  int body = -1;
   for (const Chart_part& part : parts) {
+    if (!bodies.empty() && part.body != body) out << "o " << bodies[part.body] << '\n';
+    body = part.body;
     if (part.has_coordinates())
       for (const Eigen::Vector2d& x : part.coordinates) write_obj_row(out, "vt", x);
-    out << "g " << part.name() << "\nusemtl " << part.name() << '\n';
+    out << "g " << part.name << "\nusemtl " << part.name << '\n';
     for (const Triangle& t : part.triangles) {
       out << 'f';
       for (int k : t) {
@@ -71,7 +75,8 @@ inline void write_obj_lines(std::ostream& out, const Charted_mesh& mesh, const s
 /// Writes a mesh as NAME.obj with its materials NAME.mtl: one group and one material per chart, each
 /// triangle with its coordinates in the chart as texture coordinates. A vertex on the border of two charts
 /// has one pair of coordinates in each. With `mesh.images` each material has its image, NAME_chart0.png etc.;
-/// without, the colour of its chart. Triangles come chart by chart; fields are not written.
+/// without, the colour of its chart. Triangles come chart by chart; fields are not written. Each of several parts is an
+/// object (`o`) with its name, which those of its groups and materials begin with: `part-1_chart0`.
 ///
 /// \param file  NAME.obj
 /// \pre `mesh.is_valid()`
@@ -86,15 +91,14 @@ inline void write_obj(const std::string& file, const Charted_mesh& mesh)
   Atomic_folder output(folder.empty() ? "." : folder.string());
   Atomic_file materials(output.file(name + ".mtl"));
   for (const internal::Chart_part& part : parts) {
-    const bool has_image = part.has_coordinates() && std::size_t(part.chart) < mesh.images.size();
-    materials.stream() << "newmtl " << part.name() << '\n';
+    materials.stream() << "newmtl " << part.name << '\n';
     internal::write_obj_row(materials.stream(), "Kd",
-                            has_image ? Eigen::Vector3d(1, 1, 1) : chart_colour(part.chart));
-    if (!has_image) continue;
-    const std::string image_name = name + '_' + part.name() + ".png";
+                            part.image ? Eigen::Vector3d(1, 1, 1) : chart_colour(part.chart));
+    if (!part.image) continue;
+    const std::string image_name = name + '_' + part.name + ".png";
     materials.stream() << "map_Kd " << image_name << '\n';
     Atomic_file image(output.file(image_name));
-    image.stream() << mesh.images[part.chart];
+    image.stream() << *part.image;
     image.commit();
   }
   materials.commit();

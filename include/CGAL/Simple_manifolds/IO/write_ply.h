@@ -13,6 +13,7 @@
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
+#include <CGAL/Simple_manifolds/IO/internal/chart_parts.h>
 
 #include <CGAL/assertions.h>
 
@@ -27,7 +28,8 @@ namespace Simple_manifolds {
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// Writes a mesh as a PLY file. Vertices have the position `x y z`, the normal `nx ny nz` if there is one,
-/// the chart point `chart u v` and all fields, in double precision; faces have a `chart`, or -1.
+/// the chart point `chart u v` and all fields, in double precision; faces have a `chart`, or -1. Of several parts,
+/// vertices and faces also have `part`, from 1, and a comment says the atlas and the name of each: `part 1 sphere part-1`.
 ///
 /// \pre `mesh.is_valid()`
 /// \param np  named parameters
@@ -51,15 +53,21 @@ void write_ply(const std::string& file, const Charted_mesh& mesh,
   };
   ply.header("comment simple_manifolds " + mesh.kind);
   ply.header("comment atlas " + mesh.atlas);
+  for (std::size_t k = 0; k < mesh.parts.size(); ++k)
+    ply.header("comment part " + std::to_string(k + 1) + ' ' + mesh.parts[k].atlas + ' ' +
+               internal::word_of(mesh.parts[k].name));
+  const internal::Part_numbers part(mesh);
   ply.header("element vertex " + std::to_string(mesh.points.size()));
   doubles("x", "y", "z");
   if (has_normals) doubles("nx", "ny", "nz");
   ply.header("property int chart");
   doubles("u", "v");
   for (const Charted_mesh::Field& field : mesh.fields) doubles(field.name);
+  if (!mesh.parts.empty()) ply.header("property int part");
   ply.header("element face " + std::to_string(mesh.triangles.size()));
   ply.header("property list uchar int vertex_indices");
   ply.header("property int chart");
+  if (!mesh.parts.empty()) ply.header("property int part");
   ply.header("end_header");
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     ply.values(mesh.points[v]);
@@ -67,9 +75,13 @@ void write_ply(const std::string& file, const Charted_mesh& mesh,
     ply.value(mesh.chart_points[v].chart);
     ply.values(mesh.chart_points[v].uv);
     for (const Charted_mesh::Field& field : mesh.fields) ply.value(field.values[v]);
+    if (!mesh.parts.empty()) ply.value(part.vertices[v]);
     ply.end_row();
   }
-  internal::write_ply_triangles(ply, mesh.triangles, [&](int f) { ply.value(mesh.charts[f]); });
+  internal::write_ply_triangles(ply, mesh.triangles, [&](int f) {
+    ply.value(mesh.charts[f]);
+    if (!mesh.parts.empty()) ply.value(part.triangles[f]);
+  });
   output.commit();
 }
 

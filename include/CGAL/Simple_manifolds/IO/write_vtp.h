@@ -11,6 +11,7 @@
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/Byte_buffer.h>
+#include <CGAL/Simple_manifolds/IO/internal/chart_parts.h>
 
 #include <CGAL/assertions.h>
 
@@ -66,12 +67,26 @@ private:
   Byte_buffer data_;
 };
 
+// The names of the parts as an array of texts: the codes of their letters, with 0 after each.
+inline std::string vtk_part_names(const Charted_mesh& mesh)
+{
+  if (mesh.parts.empty()) return "";
+  std::string xml = "<FieldData>\n<Array type=\"String\" Name=\"part_names\" NumberOfTuples=\"" +
+                    std::to_string(mesh.parts.size()) + "\" format=\"ascii\">\n";
+  for (const Charted_mesh::Part& part : mesh.parts) {
+    for (const char c : word_of(part.name)) xml += std::to_string(static_cast<unsigned char>(c)) + ' ';
+    xml += "0\n";
+  }
+  return xml + "</Array>\n</FieldData>\n";
+}
+
 } // namespace internal
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// Writes a mesh as a VTK XML file of polygonal data (.vtp), for ParaView: per point the normal, if there
-/// is one, `chart`, `uv` (the coordinates in that chart) and all fields, per cell `chart`; in double precision.
+/// is one, `chart`, `uv` (the coordinates in that chart) and all fields, per cell `chart`; in double precision. Of
+/// several parts, points and cells also have `part`, from 1, and the array `part_names` of the field data has the names.
 ///
 /// \pre `mesh.is_valid()`
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
@@ -84,8 +99,8 @@ inline void write_vtp(const std::string& file, const Charted_mesh& mesh)
     "<?xml version=\"1.0\"?>\n<!-- simple_manifolds " + mesh.kind + ", atlas " + mesh.atlas +
     " -->\n"
     "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-    "<PolyData>\n<Piece NumberOfPoints=\"" +
-    std::to_string(n) +
+    "<PolyData>\n" +
+    internal::vtk_part_names(mesh) + "<Piece NumberOfPoints=\"" + std::to_string(n) +
     "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
     "NumberOfStrips=\"0\" NumberOfPolys=\"" +
     std::to_string(m) + "\">\n";
@@ -99,8 +114,12 @@ inline void write_vtp(const std::string& file, const Charted_mesh& mesh)
   for (const Charted_mesh::Field& field : mesh.fields)
     xml += arrays.element(field.name, "Float64", 1, n,
                           [&](internal::Byte_buffer& out, std::size_t v) { out.add(field.values[v]); });
+  const internal::Part_numbers part(mesh);
+  if (!mesh.parts.empty()) xml += arrays.integers("part", n, [&](std::size_t v) { return part.vertices[v]; });
   xml += "</PointData>\n<CellData Scalars=\"chart\">\n";
   xml += arrays.integers("chart", m, [&](std::size_t f) { return mesh.charts[f]; });
+  if (!mesh.parts.empty())
+    xml += arrays.integers("part", m, [&](std::size_t f) { return part.triangles[f]; });
   xml += "</CellData>\n<Points>\n" + arrays.vectors("points", mesh.points) + "</Points>\n<Polys>\n";
   xml += arrays.integers("connectivity", 3 * m, [&](std::size_t i) { return mesh.triangles[i / 3][i % 3]; });
   xml += arrays.integers("offsets", m, [&](std::size_t f) { return 3 * (f + 1); });

@@ -88,18 +88,18 @@ public:
   /// @{
 
   /// The position of a vertex in the arrays of the map.
-  /// \throw Topology_error  `element_not_mapped`: the vertex is of no face, or of another mesh
+  /// \throw Topology_error  `element_not_mapped`: the vertex is of no face, or of another mesh or component
   std::size_t index(vertex_descriptor v) const
   {
     const int i = position_of_input(elements_->vertex.find(v));
     if (i == -1)
       throw Topology_error(Error_code::element_not_mapped,
-                           "a vertex is not in the map: it is of no face, or of another mesh");
+                           "a vertex is not in the map: it is of no face, or of another mesh or component");
     return static_cast<std::size_t>(i);
   }
 
   /// The triangles of the map, by position, that are parts of a face of the mesh, at least one.
-  /// \throw Topology_error  `element_not_mapped`: the face is of another mesh
+  /// \throw Topology_error  `element_not_mapped`: the face is of another mesh, or of another component
   std::vector<int> parts(face_descriptor f) const { return parts_of_input(number_of(f)); }
 
   /// The vertex of the mesh at a position, the null vertex for one that was added.
@@ -141,7 +141,7 @@ public:
   /// \param f  a triangle; of a polygon take one of its `parts()`
   /// \param barycentric  for the corners in the order of `vertices_around_face(halfedge(f, mesh), mesh)`
   /// \pre `f` is a triangle; the barycentric coordinates are not negative and have sum 1
-  /// \throw Topology_error  `element_not_mapped`: the face is of another mesh
+  /// \throw Topology_error  `element_not_mapped`: the face is of another mesh, or of another component
   /// \throw Geometry_error  `zero_extent`: the face was split, and has no area that tells its parts apart
   Domain_point to_domain(face_descriptor f, const Eigen::Vector3d& barycentric) const
   {
@@ -201,11 +201,19 @@ private:
 
   std::vector<int> parts_of_input(int i) const
   {
-    if (by_input_.empty()) return {i};
-    const std::vector<int>& input = this->input_indices().faces;
-    const auto first =
-      std::partition_point(by_input_.begin(), by_input_.end(), [&](int f) { return input[f] < i; });
-    return {first, std::partition_point(first, by_input_.end(), [&](int f) { return input[f] == i; })};
+    std::vector<int> parts;
+    if (by_input_.empty()) {
+      if (i < static_cast<int>(this->number_of_faces() - this->number_of_virtual_faces())) parts = {i};
+    } else {
+      const std::vector<int>& input = this->input_indices().faces;
+      const auto first =
+        std::partition_point(by_input_.begin(), by_input_.end(), [&](int f) { return input[f] < i; });
+      parts.assign(first, std::partition_point(first, by_input_.end(), [&](int f) { return input[f] == i; }));
+    }
+    if (parts.empty())
+      throw Topology_error(Error_code::element_not_mapped,
+                           "a face is not in the map: it is of another component");
+    return parts;
   }
 
   // x lies in the plane of the parts: it is in the one that has it most.

@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/internal/Element_names.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -40,8 +41,9 @@ inline void require_countable(std::size_t half_edges)
 // Indexed triangles seen as half-edges: half-edge 3 f + k leads from corner k of face f to the next.
 class Triangle_soup {
 public:
-  Triangle_soup(int number_of_vertices, const std::vector<Triangle>& faces)
-    : number_of_vertices_(number_of_vertices), faces_(faces)
+  Triangle_soup(int number_of_vertices, const std::vector<Triangle>& faces,
+                const Element_names& names = Element_names())
+    : number_of_vertices_(number_of_vertices), faces_(faces), names_(names)
   {
     require_countable(3 * faces.size());
   }
@@ -61,9 +63,12 @@ public:
   static constexpr bool knows_edges = false;
   bool is_border_in_graph(int) const { return false; }
 
+  const Element_names& names() const { return names_; }
+
 private:
   int number_of_vertices_;
   const std::vector<Triangle>& faces_;
+  Element_names names_;
 };
 
 // A half-edge of a graph as a corner: its vertex, and whether the graph ends beyond the side that follows.
@@ -99,6 +104,23 @@ public:
     }
   }
 
+  // Some faces of a soup. local: per vertex of the whole, if it is one of these faces, its position in vertices; both
+  // lists must outlive this.
+  Polygon_soup(const Polygon_soup& whole, const std::vector<int>& vertices, const std::vector<int>& faces,
+               const std::vector<int>& local)
+    : number_of_vertices_(static_cast<int>(vertices.size())), names_(vertices, faces)
+  {
+    start_.push_back(0);
+    for (const int f : faces) {
+      for (int h = whole.first(f); h <= whole.last(f); ++h) {
+        source_.push_back(local[whole.source(h)]);
+        border_.push_back(whole.border_[h]);
+        face_.push_back(static_cast<int>(start_.size()) - 1);
+      }
+      start_.push_back(static_cast<int>(source_.size()));
+    }
+  }
+
   int number_of_vertices() const { return number_of_vertices_; }
   int number_of_faces() const { return static_cast<int>(start_.size()) - 1; }
   int number_of_half_edges() const { return static_cast<int>(source_.size()); }
@@ -114,10 +136,13 @@ public:
   static constexpr bool knows_edges = true;
   bool is_border_in_graph(int h) const { return border_[h]; }
 
+  const Element_names& names() const { return names_; }
+
 private:
   int number_of_vertices_ = 0;
   std::vector<int> source_, face_, start_;
   std::vector<char> border_;
+  Element_names names_;
 };
 
 } // namespace internal

@@ -40,26 +40,38 @@ int repeated_vertex(const Soup& soup, int f)
   return it == corners.end() ? -1 : *it;
 }
 
+template <class Soup>
+[[noreturn]] void throw_bad_face(Error_code code, const Soup& soup, int f, const std::string& what)
+{
+  const int name = soup.names().face(f);
+  throw Topology_error(code, "face " + std::to_string(name) + what, Mesh_element::face(name));
+}
+
+// The vertices of a face are some of the mesh.
+template <class Soup>
+void require_vertices_of_mesh(const Soup& soup, int f)
+{
+  for (int h = soup.first(f); h <= soup.last(f); ++h)
+    if (soup.source(h) < 0 || soup.source(h) >= soup.number_of_vertices())
+      throw_bad_face(Error_code::degenerate_face, soup, f,
+                     " refers to vertex " + std::to_string(soup.source(h)) + ", the mesh has " +
+                       std::to_string(soup.number_of_vertices()) + " vertices");
+}
+
 // Each face has at least three vertices of the mesh, all different.
 template <class Soup>
 void require_proper_faces(const Soup& soup)
 {
-  const auto fail = [](Error_code code, int f, const std::string& what) {
-    throw Topology_error(code, "face " + std::to_string(f) + what, Mesh_element::face(f));
-  };
   for (int f = 0; f < soup.number_of_faces(); ++f) {
     const int corners = soup.last(f) - soup.first(f) + 1;
     if (corners < 3)
-      fail(Error_code::degenerate_face, f, " has only " + std::to_string(corners) + " corners");
-    for (int h = soup.first(f); h <= soup.last(f); ++h)
-      if (soup.source(h) < 0 || soup.source(h) >= soup.number_of_vertices())
-        fail(Error_code::degenerate_face, f,
-             " refers to vertex " + std::to_string(soup.source(h)) + ", the mesh has " +
-               std::to_string(soup.number_of_vertices()) + " vertices");
+      throw_bad_face(Error_code::degenerate_face, soup, f,
+                     " has only " + std::to_string(corners) + " corners");
+    require_vertices_of_mesh(soup, f);
     const int repeated = repeated_vertex(soup, f);
     if (repeated != -1)
-      fail(corners == 3 ? Error_code::degenerate_face : Error_code::unsupported_face, f,
-           " has vertex " + std::to_string(repeated) + " more than once");
+      throw_bad_face(corners == 3 ? Error_code::degenerate_face : Error_code::unsupported_face, soup, f,
+                     " has vertex " + std::to_string(soup.names().vertex(repeated)) + " more than once");
   }
 }
 
@@ -67,7 +79,8 @@ void require_proper_faces(const Soup& soup)
 template <class Soup, class Iterator>
 [[noreturn]] void throw_bad_edge(const Soup& soup, Iterator begin, Iterator end)
 {
-  const int h = begin->second, a = soup.source(h), b = soup.target(h);
+  const int h = begin->second;
+  const int a = soup.names().vertex(soup.source(h)), b = soup.names().vertex(soup.target(h));
   const auto count = end - begin;
   const Mesh_element edge = Mesh_element::edge(a, b);
   if (Soup::knows_edges)
@@ -79,9 +92,9 @@ template <class Soup, class Iterator>
     throw Topology_error(Error_code::non_manifold_edge,
                          edge_name(a, b) + " lies in " + std::to_string(count) + " faces", edge);
   throw Topology_error(Error_code::inconsistent_orientation,
-                       "the faces " + std::to_string(soup.face(h)) + " and " +
-                         std::to_string(soup.face((begin + 1)->second)) + " traverse " + edge_name(a, b) +
-                         " in the same direction",
+                       "the faces " + std::to_string(soup.names().face(soup.face(h))) + " and " +
+                         std::to_string(soup.names().face(soup.face((begin + 1)->second))) + " traverse " +
+                         edge_name(a, b) + " in the same direction",
                        edge);
 }
 
@@ -135,10 +148,11 @@ void require_no_pillow(const Soup& soup, const std::vector<int>& opposite)
     const int g = soup.face(opposite[h]);
     if (soup.face(opposite[h + 1]) == g && soup.face(opposite[h + 2]) == g)
       throw Topology_error(Error_code::doubled_edge,
-                           "the faces " + std::to_string(f) + " and " + std::to_string(g) +
+                           "the faces " + std::to_string(soup.names().face(f)) + " and " +
+                             std::to_string(soup.names().face(g)) +
                              " have the same three vertices: the mesh is not a "
                              "simplicial complex",
-                           Mesh_element::face(f));
+                           Mesh_element::face(soup.names().face(f)));
   }
 }
 
@@ -163,9 +177,9 @@ void require_manifold_vertices(const Soup& soup, const std::vector<int>& opposit
       }
     if (found != valence[v])
       throw Topology_error(Error_code::non_manifold_vertex,
-                           "the " + std::to_string(valence[v]) + " faces round vertex " + std::to_string(v) +
-                             " form several umbrellas",
-                           Mesh_element::vertex(v));
+                           "the " + std::to_string(valence[v]) + " faces round vertex " +
+                             std::to_string(soup.names().vertex(v)) + " form several umbrellas",
+                           Mesh_element::vertex(soup.names().vertex(v)));
   }
 }
 

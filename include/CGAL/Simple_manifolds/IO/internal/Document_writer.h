@@ -13,11 +13,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
+
+// A text as JSON, with a mark in place of what is no UTF-8.
+inline nlohmann::json valid_text(const std::string& text)
+{
+  return nlohmann::json::parse(
+    nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
 
 // Writes a document item by item, as JSON or CBOR, with the bytes that nlohmann::json has for the whole. Here it
 // gets numbers and texts only, which need no memory to be destroyed.

@@ -76,10 +76,16 @@ public:
     return int(value_.get<long long>());
   }
 
-  std::string text() const
+  std::string string() const
   {
     if (!value_.is_string()) fail("a string is expected");
-    std::string s = value_.get<std::string>().substr(0, 60);
+    return value_.get<std::string>();
+  }
+
+  /// A string to compare with, or to show.
+  std::string text() const
+  {
+    std::string s = string().substr(0, 60);
     for (char& c : s)
       if (c < ' ' || c > '~') c = '?'; // it may be shown in a message of one line
     return s;

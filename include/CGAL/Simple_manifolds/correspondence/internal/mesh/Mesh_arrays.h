@@ -33,7 +33,7 @@ namespace internal {
 struct Mesh_arrays {
   std::vector<Eigen::Vector3d> points;
   std::vector<Triangle> triangles;
-  std::vector<int> index; // per vertex of the mesh, in iteration order: its position in points, or -1
+  std::vector<int> index; // per vertex of the soup, in its order: its position in points, or -1
   std::size_t number_of_input_vertices = 0; // the first points; others close borders
   std::size_t number_of_virtual_faces = 0;  // the last triangles, which close borders
   std::vector<double> vertex_weight;        // relative area in the domain, per point; empty means all 1

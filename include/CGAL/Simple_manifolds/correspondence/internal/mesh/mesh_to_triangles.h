@@ -52,10 +52,11 @@ public:
       if (blocked == -1) break;
       if (first.size() == 100 || std::find(first.begin(), first.end(), blocked) != first.end())
         throw Topology_error(Error_code::unsupported_face,
-                             "face " + std::to_string(blocked) + " with " + std::to_string(corners(blocked)) +
+                             "face " + std::to_string(soup_.names().face(blocked)) + " with " +
+                               std::to_string(corners(blocked)) +
                                " corners cannot be cut into triangles "
                                "without joining two vertices by two edges",
-                             Mesh_element::face(blocked));
+                             Mesh_element::face(soup_.names().face(blocked)));
       first.push_front(blocked);
     }
     std::vector<Triangle> all;
@@ -93,9 +94,9 @@ private:
     const int h = soup_.first(f), n = corners(f);
     if (n > max_polygon_corners)
       throw Topology_error(Error_code::unsupported_face,
-                           "face " + std::to_string(f) + " has " + std::to_string(n) + " corners, at most " +
-                             std::to_string(max_polygon_corners) + " are supported",
-                           Mesh_element::face(f));
+                           "face " + std::to_string(soup_.names().face(f)) + " has " + std::to_string(n) +
+                             " corners, at most " + std::to_string(max_polygon_corners) + " are supported",
+                           Mesh_element::face(soup_.names().face(f)));
     std::vector<Eigen::Vector3d> corner(n);
     for (int i = 0; i < n; ++i) corner[i] = points_[soup_.source(h + i)];
     pieces_[f] = triangulate_polygon(corner, [&](int i, int j) {
@@ -132,20 +133,25 @@ Mesh_arrays mesh_to_triangles(const Soup& soup, const std::vector<Eigen::Vector3
   for (std::size_t v = 0; v < points.size(); ++v) {
     arrays.index.push_back(used[v] ? static_cast<int>(arrays.points.size()) : -1);
     if (!used[v]) continue;
+    const int name = soup.names().vertex(static_cast<int>(v));
     if (!points[v].allFinite())
       throw Geometry_error(Error_code::non_finite_coordinate,
-                           "vertex " + std::to_string(v) + " has a coordinate that is not finite",
-                           Mesh_element::vertex(v));
+                           "vertex " + std::to_string(name) + " has a coordinate that is not finite",
+                           Mesh_element::vertex(name));
     arrays.points.push_back(points[v]);
-    arrays.input.vertices.push_back(static_cast<int>(v));
+    arrays.input.vertices.push_back(name);
   }
   arrays.number_of_input_vertices = arrays.points.size();
   if (soup.number_of_half_edges() == 3 * soup.number_of_faces()) {
     arrays.triangles.reserve(soup.number_of_faces());
-    for (int f = 0; f < soup.number_of_faces(); ++f)
+    arrays.input.faces.reserve(soup.number_of_faces());
+    for (int f = 0; f < soup.number_of_faces(); ++f) {
       arrays.triangles.push_back({soup.source(3 * f), soup.source(3 * f + 1), soup.source(3 * f + 2)});
+      arrays.input.faces.push_back(soup.names().face(f));
+    }
   } else if constexpr (Soup::knows_edges) { // of polygons
     arrays.triangles = Soup_triangulator(soup, points)(arrays.input.faces);
+    for (int& f : arrays.input.faces) f = soup.names().face(f);
   }
   arrays.input = std::move(arrays.input).compact();
   for (Triangle& t : arrays.triangles)

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MESH_COMPONENTS_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MESH_COMPONENTS_H
+
+#include <CGAL/Simple_manifolds/internal/concepts.h>
+
+#include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/Component.h>
+#include <CGAL/Simple_manifolds/internal/Polygon_soup.h>
+#include <CGAL/Simple_manifolds/internal/half_edges.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// \file
+
+namespace CGAL {
+namespace Simple_manifolds {
+
+namespace internal {
+
+inline constexpr std::size_t all_components = (std::numeric_limits<std::size_t>::max)();
+
+// The components with the most faces, at most `most` of them, the largest first, of equal ones that with the first face
+// first. Only the vertices of faces must be right, so that what is wrong with a face can be an error of its component.
+// Throws Topology_error (empty_mesh, degenerate_face: a vertex that does not exist).
+template <class Soup>
+std::vector<Mesh_component> components_of(const Soup& soup, std::size_t most = all_components)
+{
+  if (soup.number_of_faces() == 0) throw Topology_error(Error_code::empty_mesh, "the mesh has no faces");
+  std::vector<int> parent(soup.number_of_vertices());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](int v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (int f = 0; f < soup.number_of_faces(); ++f) {
+    require_vertices_of_mesh(soup, f);
+    for (int h = soup.first(f) + 1; h <= soup.last(f); ++h) {
+      const int a = root(soup.source(h - 1)), b = root(soup.source(h));
+      parent[(std::max)(a, b)] = (std::min)(a, b);
+    }
+  }
+  std::vector<Mesh_component> all;            // by first face
+  std::vector<int> number(parent.size(), -1); // per root of the component
+  for (int f = 0; f < soup.number_of_faces(); ++f) {
+    int& c = number[root(soup.source(soup.first(f)))];
+    if (c == -1) {
+      c = static_cast<int>(all.size());
+      all.emplace_back();
+    }
+    all[c].faces.push_back(f);
+  }
+  std::vector<char> used(parent.size(), false);
+  for (int h = 0; h < soup.number_of_half_edges(); ++h) used[soup.source(h)] = true;
+  for (std::size_t v = 0; v < used.size(); ++v)
+    if (used[v]) all[number[root(static_cast<int>(v))]].vertices.push_back(static_cast<int>(v));
+
+  std::stable_sort(all.begin(), all.end(), [](const Mesh_component& a, const Mesh_component& b) {
+    return a.faces.size() > b.faces.size();
+  });
+  if (all.size() > most) all.resize(most);
+  for (std::size_t c = 0; c < all.size(); ++c) all[c].name = "part-" + std::to_string(c + 1);
+  return all;
+}
+
+} // namespace internal
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The connected components of a mesh, in linear time but for sorting them: the one with the most faces first, of
+/// equal ones that with the first face first. Faces are connected by common vertices; vertices of no face belong to
+/// none. Nothing else of the mesh is checked.
+/// \tparam FaceListGraph  a model of `FaceListGraph` and `VertexListGraph`: `Surface_mesh`, `Polyhedron_3`
+/// \throw Topology_error  `empty_mesh`
+template <class FaceListGraph>
+std::vector<Mesh_component> mesh_components(const FaceListGraph& mesh)
+{
+  CGAL_SIMPLE_MANIFOLDS_REQUIRE_MESH(FaceListGraph);
+  return internal::components_of(internal::Polygon_soup(mesh));
+}
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// The same for indexed triangles.
+/// \param number_of_vertices  the indices are in [0, `number_of_vertices`); vertices of no face belong to no component
+/// \throw Topology_error  `empty_mesh`; `degenerate_face`, for an index out of range
+inline std::vector<Mesh_component> mesh_components(std::size_t number_of_vertices,
+                                                   const std::vector<Triangle>& triangles)
+{
+  return internal::components_of(internal::Triangle_soup(static_cast<int>(number_of_vertices), triangles));
+}
+
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MESH_COMPONENTS_H
