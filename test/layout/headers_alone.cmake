@@ -1,4 +1,4 @@
-# headers_alone(<target> <include folder> [EXCEPT <regular expression>] [ALL <source>])
+# headers_alone(<target> <include folder> [EXCEPT <regular expression>] [ALL <source>] [COMPILED])
 #
 # A program of one source file per header, which includes that header alone, and twice, except for headers that match;
 # one more source includes all headers. It compiles if every header brings what it needs and has a guard that works, and
@@ -6,9 +6,12 @@
 #
 # ALL is a source with a main() instead of the one that is made here. It includes <all_headers.h> and, before that if
 # it wants, <headers_of_others.h>: those that our headers include, of the standard library, of CGAL, Eigen and others.
+#
+# With COMPILED the headers are those of the compiled library's users, if it is built, which have no definitions and are
+# compiled in half the time; the source that includes all of them sees the definitions nevertheless.
 
 function(headers_alone target root)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "EXCEPT;ALL" "")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "COMPILED" "EXCEPT;ALL" "")
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}_sources)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${root} ${root}/CGAL/*.h)
   set(sources)
@@ -55,7 +58,12 @@ function(headers_alone target root)
 
   add_executable(${target} ${sources} ${arg_ALL})
   target_include_directories(${target} PRIVATE ${root} ${folder})
-  simple_manifolds_program(${target} NO_PCH HEADER_ONLY)
+  if(arg_COMPILED)
+    simple_manifolds_program(${target} NO_PCH)
+    set_source_files_properties(${arg_ALL} PROPERTIES COMPILE_OPTIONS -UCGAL_SIMPLE_MANIFOLDS_COMPILED)
+  else()
+    simple_manifolds_program(${target} NO_PCH HEADER_ONLY)
+  endif()
   # Only the compiler's judgement is wanted, so spend no time on good code.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O0>)
 endfunction()
