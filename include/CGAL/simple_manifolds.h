@@ -25,8 +25,15 @@
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 
-#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/Input_indices.h>
+#include <CGAL/Simple_manifolds/Mesh_soup.h>
+#include <CGAL/Simple_manifolds/Surface_faults.h>
+#include <CGAL/Simple_manifolds/Triangle.h>
+
+#include <CGAL/Simple_manifolds/repair/Repair_options.h>
+#include <CGAL/Simple_manifolds/repair/Repair_report.h>
+#include <CGAL/Simple_manifolds/repair/repair_soup.h>
+
 #include <CGAL/Simple_manifolds/correspondence/Component.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>

@@ -13,7 +13,9 @@
 #include <chrono>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <new>
+#include <optional>
 
 namespace test_read_mesh {
 
@@ -369,7 +371,7 @@ TEST_CASE("numbers beyond the range of a double are infinite or zero, however th
 {
   const Temporary_folder folder;
   const auto with_number = [&](const std::string& x) {
-    return folder.write("a.off", "OFF\n3 1 0\n" + x + " 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    return folder.write("a.off", "OFF\n3 1 0\n" + x + " 0 0\n3 0 0\n0 1 0\n3 0 1 2\n");
   };
   const std::string zeros(320, '0');
   for (const std::string& large :
@@ -407,23 +409,62 @@ TEST_CASE("bad data name the element and the line")
   for (const std::string bad : {"nan", "inf", "-inf", "1e999"}) {
     CHECK(refused(folder.write("n.off", "OFF\n3 1 0\n0 0 0\n1 " + bad + " 0\n0 1 0\n3 0 1 2\n"), &message) ==
           Error_code::non_finite_coordinate);
-    CHECK_THAT(message, Catch::Matchers::ContainsSubstring("vertex 1 of 3"));
+    CHECK_THAT(message, Catch::Matchers::ContainsSubstring("(vertex 1)"));
   }
-  CHECK(refused(folder.write("f.off", three + "3 0 1 1\n")) == Error_code::degenerate_face);
-  CHECK(refused(folder.write("g.off", three + "2 0 1\n")) == Error_code::degenerate_face);
   CHECK(refused(folder.write("h.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n")) == Error_code::empty_mesh);
+  for (const char* face : {"3 0 1 1\n", "2 0 1\n"}) {
+    CHECK(refused(folder.write("f.off", three + face), &message) == Error_code::empty_mesh);
+    CHECK_THAT(message, Catch::Matchers::ContainsSubstring("no face is left: 1 degenerate face dropped at "));
+  }
 
   const std::string five = "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n";
   CHECK(refused(folder.write("i.off", five + "3 0 1 2\n3 1 0 3\n3 0 1 4\n"), &message) ==
         Error_code::non_manifold_edge);
-  CHECK_THAT(message,
-             Catch::Matchers::ContainsSubstring("(0,1)") && Catch::Matchers::ContainsSubstring("3 faces"));
-  CHECK(refused(folder.write("j.off", five + "3 0 1 2\n3 0 1 3\n3 0 2 4\n"), &message) ==
-        Error_code::inconsistent_orientation);
-  CHECK_THAT(message, Catch::Matchers::ContainsSubstring("faces 0 and 1"));
+  CHECK_THAT(message, Catch::Matchers::ContainsSubstring(
+                        "1 edge belongs to more than two faces at (0.5, 0, 0): repair_everything() cuts"));
   CHECK(refused(folder.write("k.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 0 3 4\n"),
                 &message) == Error_code::non_manifold_vertex);
-  CHECK_THAT(message, Catch::Matchers::ContainsSubstring("vertex 0"));
+  CHECK_THAT(message,
+             Catch::Matchers::ContainsSubstring("1 vertex joins faces that meet only there at (0, 0, 0)"));
+}
+
+TEST_CASE("files are repaired as they are read, and tell what was done")
+{
+  const Temporary_folder folder;
+  // Two triangles of a square with points of their own along the diagonal, one of them turned over; a face twice, a
+  // degenerate one, and an unused vertex of no coordinates.
+  const std::string file =
+    folder.write("a.off", "OFF\n7 4 0\nnan 0 0\n0 0 0\n1 0 0\n1 1 0\n0 0 0\n0 1 0\n1 1 0\n"
+                          "3 1 2 3\n3 2 2 3\n3 4 5 6\n3 2 3 1\n");
+  Mesh mesh;
+  SM::Repair_report report;
+  const SM::Mesh_topology topology =
+    SM::read_mesh(file, mesh, SM::parameters::repair_report(std::ref(report)));
+  CHECK(topology.is_disk());
+  CHECK(topology.faces == 2);
+  CHECK(topology.isolated_vertices == 1);
+  CHECK(mesh.number_of_vertices() == 5);
+  CHECK(report.welded.count == 2);
+  CHECK(report.dropped_degenerate.count == 1);
+  CHECK(report.dropped_duplicate.count == 1);
+  CHECK(report.flipped.count == 1);
+  CHECK(report.unused_vertices == 1);
+  CHECK(report.input.vertices == std::vector<int>{0, 1, 2, 3, 5});
+  CHECK(report.input.faces == std::vector<int>{0, 2});
+
+  Mesh as_it_stands;
+  try {
+    SM::read_mesh(file, as_it_stands, SM::parameters::repair_options(SM::repair_nothing()));
+    FAIL("the file was accepted");
+  } catch (const SM::Topology_error& e) {
+    CHECK(e.code() == Error_code::degenerate_face);
+    CHECK(e.element().first == 1);
+  }
+  CHECK(as_it_stands.number_of_vertices() == 0);
+
+  // Single parameters go before the options. Without the weld there are two components.
+  Mesh apart;
+  CHECK(SM::read_mesh(file, apart, SM::parameters::weld_distance(std::nullopt)).components == 2);
 }
 
 } // namespace test_read_mesh

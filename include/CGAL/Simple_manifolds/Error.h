@@ -66,6 +66,14 @@ struct Mesh_element {
   static Mesh_element edge(std::size_t v, std::size_t w) { return {EDGE, v, w}; }
   /// A face.
   static Mesh_element face(std::size_t f) { return {FACE, f, 0}; }
+
+  /// In words: `vertex 3`, `edge 3-5`, `face 3`; empty for `NONE`.
+  std::string name() const
+  {
+    static const char* const kinds[] = {"", "vertex ", "edge ", "face "};
+    const std::string number = kind == NONE ? "" : std::to_string(first);
+    return kinds[kind] + number + (kind == EDGE ? '-' + std::to_string(second) : "");
+  }
 };
 
 /// \ingroup PkgSimpleManifoldsErrors

@@ -15,6 +15,15 @@
 /// The named parameters of the package, each once: everything below is generated from this list.
 /// CGAL's own parameters (`vertex_point_map`, `visitor`, ...) are used where they fit.
 #define CGAL_SIMPLE_MANIFOLDS_FOR_EACH_PARAMETER(X)                                                          \
+  X(repair_options)      /* Repair_options: the seven below at once; each of them goes before it */          \
+  X(weld_distance)       /* std::optional<double>: of border points, fraction of the diagonal */             \
+  X(drop_degenerate)     /* bool: faces with fewer than three different vertices */                          \
+  X(drop_duplicates)     /* bool: faces that coincide with others */                                         \
+  X(face_orientation)    /* Face_orientation: how faces are oriented */                                      \
+  X(cut_non_manifold)    /* bool: edges and vertices that are not manifold, and one-sided components */      \
+  X(drop_non_finite)     /* bool: faces with a corner that is NaN or infinite */                             \
+  X(debris_share)        /* double in [0,1]: components below this share of the largest are dropped */       \
+  X(repair_report)       /* std::reference_wrapper<Repair_report> */                                         \
   X(energy)              /* Energy: what a map minimises */                                                  \
   X(energy_lambda)       /* double: weight of area against angle in Energy::AMIPS */                         \
   X(area_floor)          /* double in (0,1]: share of uniform area in the target areas */                    \

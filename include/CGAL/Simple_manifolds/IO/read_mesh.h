@@ -17,6 +17,8 @@
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 #include <CGAL/Simple_manifolds/internal/add_soup.h>
 #include <CGAL/Simple_manifolds/internal/put_vector.h>
+#include <CGAL/Simple_manifolds/internal/throw_faults.h>
+#include <CGAL/Simple_manifolds/repair/repair_soup.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -24,6 +26,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 /// \file
@@ -31,12 +34,33 @@
 namespace CGAL {
 namespace Simple_manifolds {
 
+namespace internal {
+
+// The topology of what a repair has left of a file, and its opposite half-edges.
+inline Mesh_topology topology_of_repaired(const std::string& file, const Mesh_soup& soup,
+                                          const Repair_report& report, std::vector<int>& opposite)
+{
+  throw_faults(file + ": ", report.left);
+  if (soup.number_of_faces() == 0)
+    throw Topology_error(Error_code::empty_mesh,
+                         file + ": " +
+                           (report.has_changes() ? "no face is left: " + report.sentence()
+                                                 : std::string("the mesh has no faces")));
+  return topology_of_soup(soup, opposite);
+}
+
+} // namespace internal
+
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// Reads a mesh from an OFF, OBJ, PLY or STL file, compressed by gzip or not, and adds it to `mesh`. The whole file is checked
-/// before anything is added, so that `mesh` is as it was when an error is thrown; memory and time are
+/// Reads a mesh from an OFF, OBJ, PLY or STL file, compressed by gzip or not, repairs it, and adds it to `mesh`. The whole
+/// file is checked before anything is added, so that `mesh` is as it was when an error is thrown; memory and time are
 /// linear in the size of the file, whatever its header says. Isolated vertices are kept. Corners of an
 /// STL with equal coordinates become one vertex.
+///
+/// By default the repair does what cannot change the object, see `Repair_options`: border edges that coincide are welded,
+/// degenerate and duplicate faces dropped, faces oriented consistently. A clean mesh stays what it is, to the last bit.
+/// What was done is in the `repair_report`, and `Repair_report::input` tells the numbers of the file.
 ///
 /// What is thrown later, `std::bad_alloc` or an exception of the point map, leaves `mesh` with the elements that
 /// it had: those that were added are removed again, which a `Surface_mesh` counts as garbage.
@@ -49,28 +73,37 @@ namespace Simple_manifolds {
 ///   \cgalParamNBegin{vertex_point_map} \cgalParamDescription{where the positions of the vertices are put}
 ///     \cgalParamType{model of `WritablePropertyMap`: vertex to `Point_3`}
 ///     \cgalParamDefault{`get_property_map(CGAL::vertex_point, mesh)`} \cgalParamNEnd
+///   \cgalParamNBegin{repair_options} \cgalParamDescription{what may be done; its members are parameters, too}
+///     \cgalParamType{`Repair_options`} \cgalParamDefault{`Repair_options()`} \cgalParamNEnd
+///   \cgalParamNBegin{repair_report} \cgalParamDescription{receives what was done}
+///     \cgalParamType{`std::reference_wrapper<Repair_report>`} \cgalParamDefault{none} \cgalParamNEnd
 /// \cgalNamedParamsEnd
-/// \return the topology of what was read
+/// \return the topology of what was read and repaired
 ///
 /// \throw IO_error when the file is missing, empty, truncated, of another format, or refers to a vertex
 ///        that does not exist
-/// \throw Geometry_error when a coordinate is NaN or infinite
-/// \throw Topology_error when there is no face, or a face is degenerate, an edge or a vertex not
-///        manifold, or the faces are not consistently oriented; it names the element
+/// \throw Geometry_error when a coordinate of a face is NaN or infinite
+/// \throw Topology_error when no face is left, or the mesh is no oriented manifold after the repair; it counts all that is
+///        wrong, says where, and what would help. The report is then complete, too
 template <class MutableFaceGraph, class NamedParameters = parameters::Default_named_parameters>
 Mesh_topology read_mesh(const std::string& file, MutableFaceGraph& mesh,
                         const NamedParameters& np = parameters::default_values())
 {
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_MESH(MutableFaceGraph);
-  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "vertex_point_map");
-  const internal::File_mesh contents = internal::read_file_mesh(file);
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters,
+                                         CGAL_SIMPLE_MANIFOLDS_REPAIR_PARAMETERS ", vertex_point_map");
+  CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, repair_report);
+  internal::File_mesh contents = internal::read_file_mesh(file);
+  Repair_report own_report;
+  Repair_report& report = internal::parameter(np, internal_np::repair_report, own_report);
+  const Mesh_soup soup = internal::repair_soup(std::move(contents), internal::repair_options(np), report);
   std::vector<int> opposite;
-  const Mesh_topology result = internal::checked_topology(file, contents, opposite);
+  const Mesh_topology result = internal::topology_of_repaired(file, soup, report, opposite);
 
   auto points =
     internal::parameter(np, CGAL::internal_np::vertex_point, get_property_map(CGAL::vertex_point, mesh));
-  internal::add_soup(contents, opposite, mesh,
-                     [&](int i, auto v) { internal::put_vector(points, v, contents.points[i]); });
+  internal::add_soup(soup, opposite, mesh,
+                     [&](int i, auto v) { internal::put_vector(points, v, soup.points[i]); });
   return result;
 }
 

@@ -11,13 +11,13 @@
 #include <CGAL/Simple_manifolds/internal/concepts.h>
 
 #include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/Input_indices.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/default_chart.h>
-#include <CGAL/Simple_manifolds/Input_indices.h>
 #include <CGAL/Simple_manifolds/correspondence/Point_locator.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/mesh/bounding_cube.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
+#include <CGAL/Simple_manifolds/internal/bounding_cube.h>
 
 #include <CGAL/assertions.h>
 

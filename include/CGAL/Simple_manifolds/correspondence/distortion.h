@@ -10,8 +10,8 @@
 
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/mesh/bounding_cube.h>
 #include <CGAL/Simple_manifolds/internal/Vertex_faces.h>
+#include <CGAL/Simple_manifolds/internal/bounding_cube.h>
 #include <CGAL/Simple_manifolds/internal/variation.h>
 
 #include <CGAL/assertions.h>

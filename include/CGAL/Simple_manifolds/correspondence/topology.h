@@ -13,11 +13,12 @@
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/internal/Polygon_soup.h>
+#include <CGAL/Simple_manifolds/internal/Union_find.h>
 #include <CGAL/Simple_manifolds/internal/half_edges.h>
+#include <CGAL/Simple_manifolds/internal/surface_faults.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -66,21 +67,29 @@ namespace internal {
 template <class Soup>
 std::size_t number_of_components(const Soup& soup)
 {
-  std::vector<int> parent(soup.number_of_vertices());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  std::vector<char> used(parent.size(), false);
+  Union_find classes(soup.number_of_vertices());
+  std::vector<char> used(soup.number_of_vertices(), false);
   for (int h = 0; h < soup.number_of_half_edges(); ++h) {
     used[soup.source(h)] = true;
-    const int a = root(soup.source(h)), b = root(soup.target(h));
-    parent[(std::max)(a, b)] = (std::min)(a, b);
+    classes.join(soup.source(h), soup.target(h));
   }
   std::size_t n = 0;
-  for (std::size_t v = 0; v < parent.size(); ++v) n += used[v] && parent[v] == static_cast<int>(v);
+  for (int v = 0; v < soup.number_of_vertices(); ++v) n += used[v] && classes.root(v) == v;
   return n;
+}
+
+// All that is wrong with a soup, after what was found first.
+template <class Soup>
+std::string all_faults(const std::string& first, const Soup& soup)
+{
+  Mesh_soup copy;
+  copy.points.resize(soup.number_of_vertices());
+  for (int f = 0; f < soup.number_of_faces(); ++f) {
+    for (int h = soup.first(f); h <= soup.last(f); ++h) copy.add_corner(soup.source(h));
+    copy.end_face();
+  }
+  const Surface_faults faults = surface_faults(copy, false);
+  return faults.number() > 1 ? first + "; in all: " + faults.sentence() : first;
 }
 
 // The numbers of a surface, and its opposite half-edges for whoever goes on with them.
@@ -88,10 +97,14 @@ template <class Soup>
 Mesh_topology topology_of_soup(const Soup& soup, std::vector<int>& opposite)
 {
   if (soup.number_of_faces() == 0) throw Topology_error(Error_code::empty_mesh, "the mesh has no faces");
-  require_proper_faces(soup);
-  opposite = opposite_half_edges(soup);
-  require_no_pillow(soup, opposite);
-  require_manifold_vertices(soup, opposite);
+  try {
+    require_proper_faces(soup);
+    opposite = opposite_half_edges(soup);
+    require_no_pillow(soup, opposite);
+    require_manifold_vertices(soup, opposite);
+  } catch (const Topology_error& e) {
+    throw Topology_error(e.code(), all_faults(e.what(), soup), e.element());
+  }
 
   std::vector<char> used(soup.number_of_vertices(), false);
   for (int h = 0; h < soup.number_of_half_edges(); ++h) used[soup.source(h)] = true;
@@ -123,7 +136,8 @@ Mesh_topology topology_of_soup(const Soup& soup, std::vector<int>& opposite)
 /// \tparam FaceListGraph  a model of `FaceListGraph` and `VertexListGraph`: `Surface_mesh`, `Polyhedron_3`
 /// \throw Topology_error  when the mesh is no surface or no simplicial complex: `empty_mesh`,
 ///   `degenerate_face`, `unsupported_face` (a polygon that visits a vertex twice), `doubled_edge`,
-///   `non_manifold_vertex`. The message names the element; indices are positions in iteration order.
+///   `non_manifold_vertex`. The message names the first element, and how many others there are; indices are positions in
+///   iteration order.
 template <class FaceListGraph>
 Mesh_topology topology(const FaceListGraph& mesh)
 {

@@ -98,10 +98,10 @@ template <class Soup, class Iterator>
                        edge);
 }
 
-// For each half-edge the one on the other side of its edge, -1 on the border.
-// Buckets by the smaller end, each sorted by the larger end: linear but for the sorting of hubs.
-template <class Soup>
-std::vector<int> opposite_half_edges(const Soup& soup)
+// Calls f(begin, end) for each edge, in the order of its ends: with its half-edges, as pairs of the larger end and the
+// half-edge, in increasing order. Buckets by the smaller end, each sorted: linear but for the sorting of hubs.
+template <class Soup, class Function>
+void for_each_edge(const Soup& soup, const Function& f)
 {
   const int m = soup.number_of_half_edges();
   std::vector<int> start(soup.number_of_vertices() + 1, 0);
@@ -115,24 +115,33 @@ std::vector<int> opposite_half_edges(const Soup& soup)
     bucket[fill[ends.first]++] = {ends.second, h};
   }
 
-  std::vector<int> opposite(m, -1);
   for (int v = 0; v < soup.number_of_vertices(); ++v) {
     const auto bucket_end = bucket.begin() + start[v + 1];
     std::sort(bucket.begin() + start[v], bucket_end);
     for (auto begin = bucket.begin() + start[v]; begin != bucket_end;) {
       auto end = begin + 1;
       while (end != bucket_end && end->first == begin->first) ++end;
-      if (end - begin == 2) {
-        const int g = begin->second, h = (begin + 1)->second;
-        if (soup.source(g) == soup.source(h) || soup.is_border_in_graph(g) || soup.is_border_in_graph(h))
-          throw_bad_edge(soup, begin, end);
-        opposite[g] = h;
-        opposite[h] = g;
-      } else if (end - begin > 2)
-        throw_bad_edge(soup, begin, end);
+      f(begin, end);
       begin = end;
     }
   }
+}
+
+// For each half-edge the one on the other side of its edge, -1 on the border.
+template <class Soup>
+std::vector<int> opposite_half_edges(const Soup& soup)
+{
+  std::vector<int> opposite(soup.number_of_half_edges(), -1);
+  for_each_edge(soup, [&](auto begin, auto end) {
+    if (end - begin == 2) {
+      const int g = begin->second, h = (begin + 1)->second;
+      if (soup.source(g) == soup.source(h) || soup.is_border_in_graph(g) || soup.is_border_in_graph(h))
+        throw_bad_edge(soup, begin, end);
+      opposite[g] = h;
+      opposite[h] = g;
+    } else if (end - begin > 2)
+      throw_bad_edge(soup, begin, end);
+  });
   return opposite;
 }
 

@@ -9,7 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_ENGINE_LAY_OUT_H
 
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Coarse_to_fine_layout.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/mesh/bounding_cube.h>
+#include <CGAL/Simple_manifolds/internal/bounding_cube.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -134,8 +134,7 @@ bool lay_out(bool is_parallel, const Layout_problem<Point>& problem, Map_options
   double shape_floor = 1e-4;
   const auto embedded = [&](int attempt) {
     Geometry geometry = make_geometry(order);
-    Collapse_hierarchy mesh =
-      sorted_hierarchy(problem, order, rank, options.area_floor, geometry.total_area);
+    Collapse_hierarchy mesh = sorted_hierarchy(problem, order, rank, options.area_floor, geometry.total_area);
     visitor.start_phase("decimate");
     mesh.decimate(
       is_parallel, geometry.minimum_vertices, [&](int v) { return geometry.is_removable(v); },

@@ -10,9 +10,9 @@
 
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Border_corners.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/mesh/bounding_cube.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/split_edges.h>
 #include <CGAL/Simple_manifolds/internal/Polygon_soup.h>
+#include <CGAL/Simple_manifolds/internal/bounding_cube.h>
 #include <CGAL/Simple_manifolds/internal/half_edges.h>
 
 #include <CGAL/assertions.h>

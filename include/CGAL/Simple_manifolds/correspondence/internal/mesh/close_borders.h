@@ -9,8 +9,8 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_CLOSE_BORDERS_H
 
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/mesh/bounding_cube.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/mesh_to_triangles.h>
+#include <CGAL/Simple_manifolds/internal/bounding_cube.h>
 
 #include <algorithm>
 #include <vector>

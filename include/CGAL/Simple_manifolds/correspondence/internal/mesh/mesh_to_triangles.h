@@ -10,8 +10,8 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/Mesh_arrays.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/mesh/triangulate_polygon.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
+#include <CGAL/Simple_manifolds/internal/triangulate_polygon.h>
 
 #include <Eigen/Core>
 

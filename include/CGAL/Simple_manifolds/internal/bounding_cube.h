@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_BOUNDING_CUBE_H
-#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_BOUNDING_CUBE_H
+#ifndef CGAL_SIMPLE_MANIFOLDS_INTERNAL_BOUNDING_CUBE_H
+#define CGAL_SIMPLE_MANIFOLDS_INTERNAL_BOUNDING_CUBE_H
 
 #include <Eigen/Core>
 
@@ -60,4 +60,4 @@ inline std::vector<Eigen::Vector3d> normalized_points(const std::vector<Eigen::V
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_BOUNDING_CUBE_H
+#endif // CGAL_SIMPLE_MANIFOLDS_INTERNAL_BOUNDING_CUBE_H
