@@ -5,6 +5,14 @@
 #include <CGAL/simple_manifolds.h>
 
 #include <CGAL/Simple_manifolds/IO/internal/read_file_mesh_impl.h>
+#include <CGAL/Simple_manifolds/atlas/Sphere_atlas_impl.h>
+#include <CGAL/Simple_manifolds/atlas/Torus_atlas_impl.h>
+#include <CGAL/Simple_manifolds/atlas/internal/averaged_tile_impl.h>
+#include <CGAL/Simple_manifolds/atlas/internal/barycentric_impl.h>
+#include <CGAL/Simple_manifolds/atlas/internal/exact_sign_impl.h>
+#include <CGAL/Simple_manifolds/atlas/internal/flat_geometry_impl.h>
+#include <CGAL/Simple_manifolds/atlas/internal/sphere_balance_impl.h>
+#include <CGAL/Simple_manifolds/atlas/internal/torus_balance_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/closed_triangles_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_plane_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_sphere_impl.h>

@@ -1,6 +1,7 @@
 #include "catch.h"
 #include "truth.h"
 
+#include <CGAL/Simple_manifolds/atlas/internal/exact_integers.h>
 #include <CGAL/Simple_manifolds/atlas/internal/exact_sign.h>
 
 #include <limits>

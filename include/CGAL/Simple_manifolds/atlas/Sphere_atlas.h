@@ -11,7 +11,6 @@
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
-#include <CGAL/Simple_manifolds/atlas/Gnomonic_chart.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_chart.h>
 #include <CGAL/Simple_manifolds/atlas/Trivial_deck.h>
@@ -23,10 +22,8 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -186,12 +183,7 @@ public:
   }
 
   /// It is shown as itself.
-  std::vector<Domain_shape<Sphere_atlas>> shapes() const
-  {
-    return {{"unit sphere", false, [](const Sphere_atlas& atlas, const Chart_point& q) -> Eigen::Vector3d {
-               return atlas.point(q);
-             }}};
-  }
+  std::vector<Domain_shape<Sphere_atlas>> shapes() const;
 
   /// The area of the sphere per area of the parameters (s,t) of a tile.
   double tile_area_element(int, double s, double t) const
@@ -341,34 +333,11 @@ public:
   }
 
   /// Of these, the one in whose coordinates the star is farthest from the border; -1 if there is none.
-  int chart_of_star(const Domain_point& p, const std::vector<Domain_point>& ring) const
-  {
-    const auto distance_to_border = [this](int c, const Domain_point& q) {
-      const Eigen::Vector2d uv = coordinates(c, q);
-      return (std::min)(uv.minCoeff(), 1 - uv.maxCoeff());
-    };
-    int best = -1;
-    double largest = 0;
-    for (const int c : charts_of_star(p, ring)) {
-      double margin = distance_to_border(c, p);
-      for (const Domain_point& r : ring) margin = (std::min)(margin, distance_to_border(c, r));
-      if (margin > largest) {
-        best = c;
-        largest = margin;
-      }
-    }
-    return best;
-  }
+  int chart_of_star(const Domain_point& p, const std::vector<Domain_point>& ring) const;
 
   /// The vectors from `p` to the points of `ring` in the coordinates of a chart that contains them.
   std::vector<Eigen::Vector2d> star_in_chart(int c, const Domain_point& p,
-                                             const std::vector<Domain_point>& ring) const
-  {
-    const Eigen::Vector2d centre = coordinates(c, p);
-    std::vector<Eigen::Vector2d> star;
-    for (const Domain_point& r : ring) star.push_back(coordinates(c, r) - centre);
-    return star;
-  }
+                                             const std::vector<Domain_point>& ring) const;
 
   /// Whether the whole triangle lies in chart `c`.
   /// \pre its corners do
@@ -379,43 +348,12 @@ public:
 
   /// A point inside of the kernel of a star: from there all of its triangles are positive. Nothing where none was
   /// found, near the limits of double precision.
-  std::optional<Domain_point> kernel_point(const Domain_point& p, const std::vector<Domain_point>& ring) const
-  {
-    // One hemisphere is seen at a time: other centres than p see kernels that p does not see.
-    std::vector<Domain_point> origins{p};
-    for (std::size_t i = 0; i < ring.size(); i += 1 + ring.size() / 16) origins.push_back(ring[i]);
-    internal::Star_kernel kernel;
-    for (const Domain_point& origin : origins) {
-      const Gnomonic_chart chart(origin, ring);
-      kernel.reset(chart.bound);
-      for (std::size_t i = 0; i < ring.size() && !kernel.is_empty(); ++i)
-        kernel.clip(chart.half_plane(ring[i], ring[(i + 1) % ring.size()]));
-      if (kernel.is_empty()) continue;
-      const Domain_point centroid = chart.point(kernel.centroid());
-      bool is_inside = true;
-      for (std::size_t i = 0; i < ring.size() && is_inside; ++i)
-        is_inside = orientation(centroid, ring[i], ring[(i + 1) % ring.size()]) > 0;
-      if (is_inside) return centroid;
-    }
-    return std::nullopt;
-  }
+  std::optional<Domain_point> kernel_point(const Domain_point& p,
+                                           const std::vector<Domain_point>& ring) const;
 
   /// Places where the vertex of a star may lie better, the best ones first: on the way to the kernel's centroid and to
   /// the mean of the neighbours.
-  std::vector<Domain_point> better_places(const Domain_point& p, const std::vector<Domain_point>& ring) const
-  {
-    std::vector<Domain_point> targets, places;
-    if (const auto k = kernel_point(p, ring)) targets.push_back(*k);
-    Domain_point mean = Domain_point::Zero();
-    for (const Domain_point& r : ring) mean += r;
-    if (mean.norm() > 1e-3) targets.push_back(mean.normalized());
-    for (const Domain_point& target : targets)
-      for (const double step : {1., 0.6, 0.3, 0.1}) {
-        const Domain_point q = p + step * (target - p);
-        if (q.norm() > 1e-3) places.push_back(q.normalized());
-      }
-    return places;
-  }
+  std::vector<Domain_point> better_places(const Domain_point& p, const std::vector<Domain_point>& ring) const;
 
   /// Motions of the sphere that bring about equally many points into each tile: see `ManifoldAtlas`.
   internal::Sphere_balance balancing_motions(const std::vector<Domain_point>& points,
@@ -462,16 +400,7 @@ private:
 
   // Whether the arc lies in the chart, which contains its ends. The caps that a chart leaves out are bent the other way
   // than great circles, so only an arc with its highest or lowest point inside can enter one.
-  bool is_arc_in_chart(int c, const Domain_point& p, const Domain_point& q) const
-  {
-    const int pole = 2 - c / 2; // the axis Z of the chart
-    const Eigen::Vector3d normal = p.cross(q);
-    Eigen::Vector3d top = Eigen::Vector3d::Unit(pole) * normal.squaredNorm() - normal * normal[pole];
-    for (int side = 0; side < 2; ++side, top = -top) // the highest point of the great circle, then the lowest
-      if (p.cross(top).dot(normal) > 0 && top.cross(q).dot(normal) > 0 && !contains(c, top.normalized()))
-        return false;
-    return true;
-  }
+  bool is_arc_in_chart(int c, const Domain_point& p, const Domain_point& q) const;
 };
 
 } // namespace Simple_manifolds
@@ -481,5 +410,9 @@ private:
 #include <CGAL/Simple_manifolds/atlas/internal/Sphere_batch_weights.h>
 #include <CGAL/Simple_manifolds/atlas/internal/averaged_tile.h>
 #include <CGAL/Simple_manifolds/atlas/internal/sphere_balance.h>
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_COMPILED
+#include <CGAL/Simple_manifolds/atlas/Sphere_atlas_impl.h>
+#endif
 
 #endif // CGAL_SIMPLE_MANIFOLDS_ATLAS_SPHERE_ATLAS_H

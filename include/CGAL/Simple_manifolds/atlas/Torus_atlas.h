@@ -246,19 +246,7 @@ public:
 
   /// It is shown as the square [1/6,7/6]^2, which is cut between tiles, and as a ring with the radii 1.5 and 1
   /// (Grimm 2002, section 3.3).
-  std::vector<Domain_shape<Torus_atlas>> shapes() const
-  {
-    const auto in_square = [](const Torus_atlas&, const Chart_point& q) -> Eigen::Vector3d {
-      return {(q.chart % 3 + 2 * q.uv.x()) / 3, (q.chart / 3 + 2 * q.uv.y()) / 3, 0};
-    };
-    const auto on_ring = [](const Torus_atlas& atlas, const Chart_point& q) -> Eigen::Vector3d {
-      constexpr double turn = 6.28318530717958648;
-      const Domain_point p = atlas.point(q);
-      const double a = turn * p.x(), b = turn * p.y(), r = 1.5 + std::cos(a);
-      return {r * std::cos(b), -r * std::sin(b), std::sin(a)};
-    };
-    return {{"flat torus", true, in_square}, {"ring torus", false, on_ring}};
-  }
+  std::vector<Domain_shape<Torus_atlas>> shapes() const;
 
   /// The area of the torus per area of the parameters (s,t) of a tile.
   double tile_area_element(int, double, double) const { return area() / number_of_charts(); }
@@ -420,48 +408,14 @@ public:
   /// The charts that contain the rectangle from p + low to p + high, in increasing order.
   /// \pre low <= 0 <= high
   static Chart_numbers charts_of_box(const Domain_point& p, const Eigen::Vector2d& low,
-                                     const Eigen::Vector2d& high)
-  {
-    bool fits[2][3];
-    for (int i = 0; i < 2; ++i)
-      for (int c = 0; c < 3; ++c) {
-        double s = p[i] - c / 3.;
-        s -= std::floor(s);
-        fits[i][c] = s > 0 && s + low[i] > 0 && s + high[i] < 2. / 3;
-      }
-    Chart_numbers list;
-    for (int c = 0; c < 9; ++c)
-      if (fits[0][c % 3] && fits[1][c / 3]) list.push_back(c);
-    return list;
-  }
+                                     const Eigen::Vector2d& high);
 
   /// Of the charts of the star, the one in whose coordinates it is farthest from the border; -1 if there is none.
-  int chart_of_star(const Domain_point& p, const std::vector<Domain_point>& ring) const
-  {
-    const auto [low, high] = box(p, ring);
-    int best = -1;
-    double largest = 0;
-    for (const int c : charts_of_box(p, low, high)) {
-      const Eigen::Vector2d uv = coordinates(c, p);
-      // positive, as the box fits; not always after rounding
-      const double margin =
-        (std::max)(1e-300, (std::min)((uv + 1.5 * low).minCoeff(), 1 - (uv + 1.5 * high).maxCoeff()));
-      if (margin > largest) {
-        best = c;
-        largest = margin;
-      }
-    }
-    return best;
-  }
+  int chart_of_star(const Domain_point& p, const std::vector<Domain_point>& ring) const;
 
   /// The vectors from `p` to the points of `ring`, in coordinates that are those of a chart divided by 3/2.
   std::vector<Eigen::Vector2d> star_in_chart(int, const Domain_point& p,
-                                             const std::vector<Domain_point>& ring) const
-  {
-    std::vector<Eigen::Vector2d> star;
-    for (const Domain_point& r : ring) star.push_back(difference(p, r));
-    return star;
-  }
+                                             const std::vector<Domain_point>& ring) const;
 
   /// Always true: charts are convex.
   /// \pre chart `c` contains the corners, and the edges between them
@@ -605,5 +559,9 @@ private:
 // The larger parts, which need the class.
 #include <CGAL/Simple_manifolds/atlas/internal/Torus_batch_weights.h>
 #include <CGAL/Simple_manifolds/atlas/internal/torus_balance.h>
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_COMPILED
+#include <CGAL/Simple_manifolds/atlas/Torus_atlas_impl.h>
+#endif
 
 #endif // CGAL_SIMPLE_MANIFOLDS_ATLAS_TORUS_ATLAS_H

@@ -10,11 +10,8 @@
 
 #include <Eigen/Core>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
-#include <array>
 #include <cmath>
-#include <cstdint>
+#include <type_traits>
 
 // Exact signs of the determinants that decide whether a triangle of a domain is positively oriented.
 //
@@ -30,39 +27,6 @@ namespace internal {
 
 inline constexpr double half_ulp = 1.1102230246251565e-16; // e = 2^-53
 inline constexpr double underflow_slack = 1e-300;          // enormous against 2^-1075
-
-using Integer = boost::multiprecision::cpp_int;
-
-// The integers x_i 2^s with the smallest s that makes all of them integers.
-// \pre all x_i are finite
-template <std::size_t N>
-std::array<Integer, N> common_integers(const std::array<double, N>& x)
-{
-  std::array<std::int64_t, N> mantissa;
-  std::array<int, N> exponent;
-  bool all_zero = true;
-  int lowest = 0;
-  for (std::size_t i = 0; i < N; ++i) {
-    int e = 0;
-    mantissa[i] = static_cast<std::int64_t>(std::ldexp(std::frexp(x[i], &e), 53));
-    exponent[i] = e - 53;
-    if (mantissa[i] != 0 && (all_zero || exponent[i] < lowest)) {
-      lowest = exponent[i];
-      all_zero = false;
-    }
-  }
-  std::array<Integer, N> integers;
-  for (std::size_t i = 0; i < N; ++i) {
-    if (mantissa[i] == 0) {
-      continue;
-    }
-    integers[i] = Integer(std::abs(mantissa[i])) << unsigned(exponent[i] - lowest);
-    if (mantissa[i] < 0) {
-      integers[i] = -integers[i];
-    }
-  }
-  return integers;
-}
 
 // det[a,b,c] of vectors of any ring.
 template <class Vector>
@@ -82,6 +46,9 @@ inline double determinant_magnitude(const Eigen::Vector3d& a, const Eigen::Vecto
          std::abs(a[2]) * (std::abs(b[0] * c[1]) + std::abs(b[1] * c[0]));
 }
 
+// sign_of_determinant(), always with integers.
+int exact_sign_of_determinant(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+
 // The exact sign of det[a,b,c].
 // \pre all coordinates are finite
 inline int sign_of_determinant(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
@@ -95,10 +62,7 @@ inline int sign_of_determinant(const Eigen::Vector3d& a, const Eigen::Vector3d& 
   if (std::abs(det) > bound) {
     return det > 0 ? 1 : -1;
   }
-
-  // a positive factor per vector does not change the sign, and keeps the integers short
-  const auto exact = [](const Eigen::Vector3d& v) { return common_integers<3>({v[0], v[1], v[2]}); };
-  return determinant(exact(a), exact(b), exact(c)).sign();
+  return exact_sign_of_determinant(a, b, c);
 }
 
 // b - a + k, rounded (exactly once where k is 0, or where |b - a| is at least 1/2 and k = -+1).
@@ -108,31 +72,16 @@ inline Eigen::Vector2d shifted_difference(const Eigen::Vector2d& a, const Eigen:
   return {(b[0] - a[0]) + k[0], (b[1] - a[1]) + k[1]};
 }
 
-// The integer coordinates of the vectors from p to q_i + k_i, all in one unit.
-template <std::size_t N>
-std::array<std::array<Integer, 2>, N> exact_differences(const Eigen::Vector2d& p,
-                                                        const std::array<Eigen::Vector2d, N>& q,
-                                                        const std::array<Eigen::Vector2i, N>& k)
-{
-  std::array<double, 2 * N + 3> x{p[0], p[1], 1.};
-  for (std::size_t i = 0; i < N; ++i) {
-    x[2 * i + 3] = q[i][0];
-    x[2 * i + 4] = q[i][1];
-  }
-  const auto z = common_integers(x);
-  std::array<std::array<Integer, 2>, N> d;
-  for (std::size_t i = 0; i < N; ++i) {
-    d[i] = {z[2 * i + 3] - z[0] + k[i][0] * z[2], z[2 * i + 4] - z[1] + k[i][1] * z[2]};
-  }
-  return d;
-}
-
 template <class Vector>
 auto cross(const Vector& d, const Vector& e)
 {
   using Number = std::decay_t<decltype(d[0])>;
   return Number(d[0] * e[1] - d[1] * e[0]);
 }
+
+// sign_of_area(), always with integers.
+int exact_sign_of_area(const Eigen::Vector2d& p, const Eigen::Vector2d& q, const Eigen::Vector2i& kq,
+                       const Eigen::Vector2d& r, const Eigen::Vector2i& kr);
 
 // The exact sign of det[q + kq - p, r + kr - p].
 // \pre all coordinates are finite
@@ -153,13 +102,15 @@ inline int sign_of_area(const Eigen::Vector2d& p, const Eigen::Vector2d& q, cons
   if (std::abs(det) > bound) {
     return det > 0 ? 1 : -1;
   }
-
-  const auto z = exact_differences<2>(p, {q, r}, {kq, kr});
-  return cross(z[0], z[1]).sign();
+  return exact_sign_of_area(p, q, kq, r, kr);
 }
 
 } // namespace internal
 } // namespace Simple_manifolds
 } // namespace CGAL
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_COMPILED
+#include <CGAL/Simple_manifolds/atlas/internal/exact_sign_impl.h>
+#endif
 
 #endif // CGAL_SIMPLE_MANIFOLDS_ATLAS_INTERNAL_EXACT_SIGN_H
