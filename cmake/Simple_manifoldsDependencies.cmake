@@ -4,6 +4,7 @@
 # Optional: nlohmann_json  -> CGAL::Simple_manifolds_IO       (files of surfaces and metrics)
 #           libpng         -> CGAL::Simple_manifolds_PNG      (images of textures)
 #           zlib           -> CGAL::Simple_manifolds_ZLIB     (compressed meshes)
+#           assimp         -> CGAL::Simple_manifolds_assimp   (glTF, 3MF, COLLADA and other meshes)
 #           zlib, three.js -> CGAL::Simple_manifolds_report   (pages that show maps and surfaces)
 #           CHOLMOD        -> CGAL::Simple_manifolds_CHOLMOD  (faster sparse least squares)
 #           oneTBB         -> CGAL::TBB_support               (CGAL::Parallel_tag)
@@ -51,6 +52,14 @@ if(PNG_FOUND AND NOT TARGET CGAL::Simple_manifolds_PNG)
   add_library(CGAL::Simple_manifolds_PNG INTERFACE IMPORTED GLOBAL)
   set_target_properties(CGAL::Simple_manifolds_PNG PROPERTIES
     INTERFACE_LINK_LIBRARIES "CGAL::Simple_manifolds;PNG::PNG")
+endif()
+
+find_package(assimp QUIET)
+if(TARGET assimp::assimp AND NOT TARGET CGAL::Simple_manifolds_assimp)
+  add_library(CGAL::Simple_manifolds_assimp INTERFACE IMPORTED GLOBAL)
+  set_target_properties(CGAL::Simple_manifolds_assimp PROPERTIES
+    INTERFACE_COMPILE_DEFINITIONS CGAL_SIMPLE_MANIFOLDS_USE_ASSIMP
+    INTERFACE_LINK_LIBRARIES "CGAL::Simple_manifolds;assimp::assimp")
 endif()
 
 find_package(ZLIB QUIET)

@@ -25,7 +25,7 @@ endif()
 
 add_library(simple_manifolds_settings INTERFACE)
 target_link_libraries(simple_manifolds_settings INTERFACE CGAL::Simple_manifolds)
-foreach(part CGAL::Simple_manifolds_IO CGAL::Simple_manifolds_PNG CGAL::Simple_manifolds_ZLIB
+foreach(part CGAL::Simple_manifolds_IO CGAL::Simple_manifolds_PNG CGAL::Simple_manifolds_ZLIB CGAL::Simple_manifolds_assimp
              CGAL::Simple_manifolds_CHOLMOD CGAL::TBB_support)
   if(TARGET ${part})
     target_link_libraries(simple_manifolds_settings INTERFACE ${part})

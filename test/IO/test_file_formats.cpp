@@ -5,6 +5,7 @@
 #include "temporary_folder.h"
 
 #include <CGAL/Simple_manifolds/IO/internal/Byte_buffer.h>
+#include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_file_mesh.h>
 
 #ifdef CGAL_SIMPLE_MANIFOLDS_USE_ZLIB
@@ -103,14 +104,16 @@ void check_tetrahedron(const File_mesh& mesh)
   CHECK(mesh.number_of_vertices() == 4);
   REQUIRE(mesh.number_of_faces() == 4);
   double volume = 0;
+  const Eigen::Vector3d origin = mesh.points[0];
   for (int f = 0; f < 4; ++f) {
     REQUIRE(mesh.number_of_corners(f) == 3);
     const int h = mesh.first(f);
-    volume += mesh.points[std::size_t(mesh.source(h))].dot(mesh.points[std::size_t(mesh.source(h + 1))].cross(
-                mesh.points[std::size_t(mesh.source(h + 2))])) /
-              6;
+    const auto corner = [&](int k) -> Eigen::Vector3d {
+      return mesh.points[std::size_t(mesh.source(h + k))] - origin;
+    };
+    volume += corner(0).dot(corner(1).cross(corner(2))) / 6;
   }
-  CHECK(std::abs(volume - 1. / 6) < 1e-15);
+  CHECK(std::abs(volume - 1. / 6) < 1e-6);
 }
 
 struct File {
@@ -358,6 +361,351 @@ TEST_CASE("compressed files")
     }
 }
 
+#endif
+
+namespace {
+
+// The numbers of the tetrahedron.
+const std::vector<float> numbers = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+const std::vector<std::int32_t> indices = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+
+template <class Number>
+std::string bytes_of(const std::vector<Number>& values)
+{
+  SM::internal::Byte_buffer b;
+  for (Number x : values) b.add(x);
+  return b.bytes();
+}
+
+template <class Number>
+std::string text_of(const std::vector<Number>& values)
+{
+  std::string s;
+  for (Number x : values) s += SM::internal::shortest(double(x)) + ' ';
+  return s;
+}
+
+std::string base_64(const std::string& bytes)
+{
+  static constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string s;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (i + k < bytes.size() ? (unsigned char)(bytes[i + k]) : 0);
+    for (std::size_t k = 0; k < 4; ++k) s += i + k > bytes.size() ? '=' : letters[bits >> (18 - 6 * k) & 63];
+  }
+  return s;
+}
+
+std::string tag(const std::string& name, const std::string& attributes, const std::string& contents)
+{
+  return '<' + name + ' ' + attributes + ">\n" + contents + "\n</" + name + ">\n";
+}
+
+// A file of VTK with the arrays of the tetrahedron, a value of the points and one of the cells; text(bytes) encodes an array.
+// A vertex comes before the faces.
+template <class Encode>
+std::string vtp(const std::string& format, const std::string& attributes, const Encode& encode)
+{
+  const auto array = [&](const std::string& type, const std::string& name, const std::string& more,
+                         const auto& values) {
+    return tag("DataArray",
+               "type=\"" + type + "\" Name='" + name + "' " + more + " format = \"" + format + '"',
+               encode(values));
+  };
+  using Ints = std::vector<std::int32_t>;
+  return "<?xml version=\"1.0\"?><!-- <Piece> -->\n" +
+         tag("VTKFile", "type=\"PolyData\" version=\"1.0\" " + attributes,
+             tag("PolyData", "",
+                 tag("Piece", "NumberOfPoints=\"4\"",
+                     tag("PointData", "", array("Float32", "Normals", "NumberOfComponents=\"3\"", numbers)) +
+                       tag("CellData", "", array("Int32", "my value", "", Ints{9, 1, 2, 3, 4})) +
+                       tag("Points", "", array("Float32", "Points", "NumberOfComponents=\"3\"", numbers)) +
+                       tag("Verts", "",
+                           array("Int32", "connectivity", "", Ints{0}) +
+                             array("Int32", "offsets", "", Ints{1})) +
+                       tag("Polys", "",
+                           array("Int32", "connectivity", "", indices) +
+                             array("Int32", "offsets", "", Ints{3, 6, 9, 12})))));
+}
+
+void check_vtk(const File& f)
+{
+  INFO(f.name << ":\n" << f.bytes);
+  const Temporary_folder folder;
+  const File_mesh mesh = SM::internal::read_file_mesh(folder.write(f.name, f.bytes));
+  check_tetrahedron(mesh);
+  CHECK(property(mesh.properties.vertex, "normal").values[11] == 1);
+  CHECK(property(mesh.properties.face, "my value").values ==
+        std::vector<double>{1, 2, 3, 4}); // of cells 1 to 4
+  REQUIRE(mesh.warnings.size() == 1);
+  CHECK(mesh.warnings[0].sentence() == "1 element that is no face is skipped: cell 0");
+}
+
+} // namespace
+
+TEST_CASE("VTK's legacy files")
+{
+  const std::string head = "# vtk DataFile Version 4.2\nby hand\n", set = "\nDATASET POLYDATA\n",
+                    points_text = "POINTS 4 float\n" + text_of(numbers), vertex = "\nVERTICES 1 2\n1 0\n",
+                    polygons = "POLYGONS 4 16\n" + faces,
+                    data = "POINT_DATA 4\nNORMALS some float\n" + text_of(numbers) +
+                           "\nCELL_DATA 5\nSCALARS my%20value int 1\nLOOKUP_TABLE default\n9 1 2 3 4\n";
+  check_vtk({"a.vtk", head + "ASCII" + set + points_text + vertex + polygons + data, {}});
+  check_vtk(
+    {"lower case.vtk", head + "ascii\ndataset polydata\n" + points_text + vertex + polygons + data, {}});
+  check_vtk({"field.vtk",
+             head + "ASCII" + set + points_text + vertex + polygons +
+               "CELL_DATA 5\nFIELD FieldData 1\nmy%20value 1 5 int\n9 1 2 3 4\nMETADATA\nINFORMATION 0\n\n"
+               "POINT_DATA 4\nNORMALS some float\n" +
+               text_of(numbers),
+             {}});
+  check_vtk({"version 5.1.vtk",
+             head + "ASCII" + set + points_text +
+               "\nVERTICES 2 1\nOFFSETS vtktypeint64\n0 1\nCONNECTIVITY vtktypeint64\n0\n"
+               "POLYGONS 5 12\nOFFSETS vtktypeint64\n0 3 6 9 12\nCONNECTIVITY vtktypeint64\n" +
+               text_of(indices) + '\n' + data,
+             {}});
+  check_vtk({"grid.vtk",
+             head + "ASCII\nDATASET UNSTRUCTURED_GRID\n" + points_text + "\nCELLS 5 18\n1 0\n" + faces +
+               "CELL_TYPES 5\n1 5 7 5 5\n" + data,
+             {}});
+  std::vector<std::int32_t> rows;
+  for (std::size_t i = 0; i < 12; ++i) {
+    if (i % 3 == 0) rows.push_back(3);
+    rows.push_back(indices[i]);
+  }
+  const auto big = [](const std::string& bytes) { return reversed_bytes(bytes) + '\n'; };
+  check_vtk({"binary.vtk",
+             head + "BINARY" + set + "POINTS 4 float\n" + big(bytes_of(numbers)) + "VERTICES 1 2\n" +
+               big(bytes_of(std::vector<std::int32_t>{1, 0})) + "POLYGONS 4 16\n" + big(bytes_of(rows)) +
+               "POINT_DATA 4\nNORMALS some float\n" + big(bytes_of(numbers)) +
+               "CELL_DATA 5\nSCALARS my%20value int\nLOOKUP_TABLE default\n" +
+               big(bytes_of(std::vector<std::int32_t>{9, 1, 2, 3, 4})),
+             {}});
+  check_tetrahedra(
+    {{"strips.vtk", head + "ASCII" + set + points_text + "\nTRIANGLE_STRIPS 1 7\n6 0 2 1 3 0 2\n", {}}});
+}
+
+TEST_CASE("VTK's XML files")
+{
+  check_vtk({"a.vtp", vtp("ascii", "", [](const auto& values) { return text_of(values); }), {}});
+  const auto sized = [](const std::string& bytes) {
+    return bytes_of(std::vector<std::uint32_t>{std::uint32_t(bytes.size())}) + bytes;
+  };
+  check_vtk({"base 64.vtp",
+             vtp("binary", "", [&](const auto& values) { return base_64(sized(bytes_of(values))); }),
+             {}});
+  check_vtk({"big endian.vtp",
+             vtp("binary", "byte_order=\"BigEndian\"",
+                 [&](const auto& values) { return base_64(reversed_bytes(sized(bytes_of(values)))); }),
+             {}});
+  for (const bool is_raw : {false, true}) {
+    std::string appended;
+    std::string xml = vtp("appended", "header_type=\"UInt64\"", [&](const auto& values) {
+      const std::string bytes = bytes_of(values);
+      const std::string sized_bytes = bytes_of(std::vector<std::uint64_t>{bytes.size()}) + bytes;
+      const std::string at = "offset is " + std::to_string(appended.size()) + '.';
+      appended += is_raw ? sized_bytes : base_64(sized_bytes);
+      return at;
+    });
+    for (std::size_t at = 0; (at = xml.find(">\noffset is ")) != xml.npos;) { // it is an attribute
+      const std::size_t end = xml.find('.', at);
+      xml.replace(at, end - at + 1, " offset=\"" + xml.substr(at + 12, end - at - 12) + "\">");
+    }
+    const std::string end = "</VTKFile>";
+    const std::string data =
+      tag("AppendedData", std::string("encoding=\"") + (is_raw ? "raw" : "base64") + '"', " _" + appended);
+    check_vtk({"appended.vtp", replaced(xml, end, data + end), {}});
+  }
+}
+
+TEST_CASE("GIfTI")
+{
+  const auto array = [](const std::string& intent, const std::string& type, std::size_t columns,
+                        const std::string& encoding, const std::string& more, const std::string& text) {
+    return tag("DataArray",
+               "Intent=\"NIFTI_INTENT_" + intent + "\" DataType=\"NIFTI_TYPE_" + type +
+                 "\" Dimensionality=\"2\" Dim0=\"4\"" +
+                 (columns > 1 ? " Dim1=\"" + std::to_string(columns) + '"' : std::string()) + " Encoding=\"" +
+                 encoding + "\" " + more,
+               "<MetaData><MD><Name><![CDATA[Name]]></Name><Value><![CDATA[" + intent +
+                 " of it]]></Value></MD></MetaData>" +
+                 tag("CoordinateSystemTransformMatrix", "", "<DataSpace/><MatrixData>2 0 0 0</MatrixData>") +
+                 "<Data>" + text + "</Data>");
+  };
+  const auto gifti = [](const std::string& arrays) {
+    return "<?xml version=\"1.0\"?>\n<!DOCTYPE GIFTI SYSTEM \"gifti.dtd\">\n" +
+           tag("GIFTI", "Version=\"1.0\"", arrays);
+  };
+  const std::string row = "ArrayIndexingOrder=\"RowMajorOrder\" Endian=\"LittleEndian\"";
+  const std::string triangles = array("TRIANGLE", "INT32", 3, "ASCII", row, text_of(indices));
+  const std::vector<float> columns = {0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  check_tetrahedra(
+    {{"a.gii", gifti(array("POINTSET", "FLOAT32", 3, "ASCII", row, text_of(numbers)) + triangles), {}},
+     {"base 64.surf.gii",
+      gifti(array("POINTSET", "FLOAT32", 3, "Base64Binary", row, base_64(bytes_of(numbers))) +
+            array("TRIANGLE", "INT32", 3, "Base64Binary", row, base_64(bytes_of(indices)))),
+      {}},
+     {"columns.gii",
+      gifti(array("POINTSET", "FLOAT32", 3, "Base64Binary",
+                  "ArrayIndexingOrder=\"ColumnMajorOrder\" Endian=\"BigEndian\"",
+                  base_64(reversed_bytes(bytes_of(columns)))) +
+            triangles),
+      {}}});
+  const Temporary_folder folder;
+  const File_mesh mesh = SM::internal::read_file_mesh(folder.write(
+    "v.gii", gifti(array("SHAPE", "FLOAT32", 1, "ASCII", row, "1 2 3 4.5") +
+                   array("POINTSET", "FLOAT32", 3, "ASCII", row, text_of(numbers)) + triangles)));
+  CHECK(property(mesh.properties.vertex, "SHAPE of it").values[3] == 4.5);
+  for (const auto& [bytes, message] : std::vector<std::pair<std::string, std::string>>{
+         {gifti(triangles), "no array of points"},
+         {gifti(array("POINTSET", "FLOAT32", 3, "ASCII", row, "1 2 3") + triangles),
+          "3 values instead of 4 x 3"},
+         {gifti(array("POINTSET", "FLOAT32", 3, "ExternalFileBinary", row, "") + triangles),
+          "ExternalFileBinary"},
+         {gifti(triangles).substr(0, gifti(triangles).find("<Data>")), "ends before its last tag"}})
+    CHECK_THROWS_WITH(SM::internal::read_file_mesh(folder.write("w.gii", bytes)),
+                      Catch::Matchers::ContainsSubstring(message));
+}
+
+TEST_CASE("FreeSurfer's surfaces")
+{
+  const std::string sizes = bytes_of(std::vector<std::int32_t>{4, 4});
+  check_tetrahedra({{"lh.pial",
+                     "\xff\xff\xfe"
+                     "created by hand\n\n" +
+                       reversed_bytes(sizes + bytes_of(numbers) + bytes_of(indices)) + "volume info",
+                     {}},
+                    {"lh.pial.asc",
+                     "#!ascii version of lh.pial\n4 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 2 1 0\n0 1 3 "
+                     "0\n1 2 3 0\n2 0 3 0\n",
+                     {}}});
+}
+
+TEST_CASE("edges without length are said to be due to numbers of 32 bits, where they are")
+{
+  const Temporary_folder folder;
+  SM::internal::Byte_buffer b;
+  for (float x : {4e6f, 0.f, 0.f, 4e6f + 0.1f, 0.f, 0.f, 4e6f, 1.f, 0.f}) b.add(x);
+  const std::string header =
+    "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list int int vertex_indices\nend_header\n";
+  const std::string face = bytes_of(std::vector<std::int32_t>{3, 0, 1, 2});
+  const File_mesh mesh = SM::internal::read_file_mesh(folder.write("a.ply", header + b.bytes() + face));
+  REQUIRE(mesh.warnings.size() == 1);
+  CHECK(mesh.warnings[0].kind == Read_warning::SINGLE_PRECISION);
+  CHECK_THAT(mesh.warnings[0].sentence(),
+             Catch::Matchers::ContainsSubstring("32 bits") &&
+               Catch::Matchers::ContainsSubstring("face 0, where steps are about 0.47"));
+  SM::internal::Byte_buffer at_origin; // the same face is degenerate by itself
+  for (float x : {0.f, 0.f, 0.f, 0.f, 0.f, 0.f, 0.f, 1.f, 0.f}) at_origin.add(x);
+  CHECK(
+    SM::internal::read_file_mesh(folder.write("b.ply", header + at_origin.bytes() + face)).warnings.empty());
+}
+
+#ifdef CGAL_SIMPLE_MANIFOLDS_USE_ASSIMP
+
+TEST_CASE("glTF, COLLADA and 3MF are read with assimp")
+{
+  const std::string buffer = base_64(bytes_of(numbers) + bytes_of(indices));
+  const auto gltf = [&](const std::string& node) {
+    return "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":"
+           "0" +
+           node +
+           "}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":2},\"indices\":1}]}],"
+           "\"buffers\":[{\"byteLength\":96,\"uri\":\"data:application/octet-stream;base64," +
+           buffer +
+           "\"}],\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":48},"
+           "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":48}],"
+           "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\",\"min\":[0,"
+           "0,0],"
+           "\"max\":[1,1,1]},{\"bufferView\":1,\"componentType\":5125,\"count\":12,\"type\":\"SCALAR\"},"
+           "{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"}]}";
+  };
+  const std::string dae =
+    "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+    "version=\"1.4.1\"><asset/>"
+    "<library_geometries><geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"a\" count=\"12\">" +
+    text_of(numbers) +
+    "</float_array><technique_common><accessor source=\"#a\" count=\"4\" stride=\"3\"><param name=\"X\" "
+    "type=\"float\"/>"
+    "<param name=\"Y\" type=\"float\"/><param name=\"Z\" "
+    "type=\"float\"/></accessor></technique_common></source>"
+    "<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices><triangles count=\"4\">"
+    "<input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>" +
+    text_of(indices) +
+    "</p></triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene "
+    "id=\"s\"><node>"
+    "<instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes>"
+    "<scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>\n";
+  check_tetrahedra({{"a.gltf", gltf(""), {}},
+                    {"moved.gltf", gltf(",\"translation\":[1,2,3]"), {}},
+                    {"mirrored.gltf", gltf(",\"scale\":[-1,1,1]"), {}},
+                    {"a.dae", dae, {}},
+                    {"a.obj", dae, {{Read_warning::OTHER_FORMAT, 1, "it is of a format of assimp"}}}});
+  const Temporary_folder folder;
+  const File_mesh turned =
+    SM::internal::read_file_mesh(folder.write("t.gltf", gltf(",\"rotation\":[0,0,1,0],\"scale\":[1,2,1]")));
+  CHECK((turned.points[1] - Eigen::Vector3d(-1, 0, 0)).norm() < 1e-6);
+  CHECK((turned.points[2] - Eigen::Vector3d(0, -2, 0)).norm() < 1e-6);
+  CHECK(std::abs(property(turned.properties.vertex, "normal").values[7] + 1) < 1e-6);
+  CHECK_THROWS_WITH(SM::internal::read_file_mesh(folder.write("d.glb", "glTF" + std::string(40, '\1'))),
+                    Catch::Matchers::ContainsSubstring("assimp cannot read it"));
+}
+
+#ifdef CGAL_SIMPLE_MANIFOLDS_USE_ZLIB
+
+TEST_CASE("3MF is read with assimp")
+{
+  // An archive of files that are not compressed.
+  SM::internal::Byte_buffer archive, directory;
+  std::uint32_t files = 0;
+  const auto add = [&](const std::string& name, const std::string& contents) {
+    const auto begin = std::uint32_t(archive.size()), size = std::uint32_t(contents.size());
+    SM::internal::Byte_buffer entry; // common to the file and the directory
+    entry.add(std::string("\x0a\0\0\0\0\0\0\0\0\0", 10));
+    entry.add(std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(contents.data()), size)));
+    for (std::uint32_t n : {size, size, std::uint32_t(name.size())}) entry.add(n); // no further field
+    archive.add(std::string("PK\3\4") + entry.bytes() + name + contents);
+    directory.add(std::string("PK\1\2\x0a\0", 6) + entry.bytes() + std::string(10, '\0'));
+    directory.add(begin);
+    directory.add(name);
+    ++files;
+  };
+  const std::string schemas = "http://schemas.openxmlformats.org/package/2006/",
+                    xml = "<?xml version=\"1.0\"?>\n",
+                    parts = "http://schemas.microsoft.com/3dmanufacturing/";
+  add("[Content_Types].xml", xml + "<Types xmlns=\"" + schemas +
+                               "content-types\"><Default Extension=\"model\" ContentType=\"application/" +
+                               "vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>");
+  add("_rels/.rels", xml + "<Relationships xmlns=\"" + schemas +
+                       "relationships\"><Relationship Target=\"/3D/m.model\" " + "Id=\"r\" Type=\"" + parts +
+                       "2013/01/3dmodel\"/></Relationships>");
+  std::string vertices, triangles;
+  for (std::size_t i = 0; i < 12; i += 3) {
+    const auto part = [&](const char* key, auto value) {
+      return std::string(" ") + key + "=\"" + std::to_string(int(value)) + '"';
+    };
+    vertices +=
+      "<vertex" + part("x", numbers[i]) + part("y", numbers[i + 1]) + part("z", numbers[i + 2]) + "/>";
+    triangles +=
+      "<triangle" + part("v1", indices[i]) + part("v2", indices[i + 1]) + part("v3", indices[i + 2]) + "/>";
+  }
+  add("3D/m.model",
+      xml + "<model unit=\"millimeter\" xmlns=\"" + parts + "core/2015/02\"><resources><object id=\"1\">" +
+        "<mesh><vertices>" + vertices + "</vertices><triangles>" + triangles +
+        "</triangles></mesh></object></resources><build><item objectid=\"1\"/></build></model>");
+  const auto begin = std::uint32_t(archive.size()), size = std::uint32_t(directory.size());
+  archive.add(directory.bytes() + std::string("PK\5\6\0\0\0\0", 8));
+  archive.add(files | files << 16);
+  for (std::uint32_t n : {size, begin}) archive.add(n);
+  archive.add(std::string(2, '\0'));
+  check_tetrahedra({{"a.3mf", archive.bytes(), {}}});
+}
+
+#endif
 #endif
 
 } // namespace test_file_formats

@@ -268,6 +268,12 @@ const std::vector<Case>& bad_meshes()
      "end_header\n0\n0\n0\n",
      E::syntax_error,
      {"line 5", "vertex", "twice"}},
+    {"PLY with two lists of vertices, in other cases",
+     "a.ply",
+     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nelement Vertex 2\nproperty float y\n"
+     "property float z\nend_header\n0\n0 0\n0 0\n",
+     E::syntax_error,
+     {"line 5", "Vertex", "twice"}},
     {"PLY without positions",
      "a.ply",
      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n",

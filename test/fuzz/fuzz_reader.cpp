@@ -1,11 +1,16 @@
 // Whatever the bytes, a reader returns what it read or throws an error of the package.
 //
 // scripts/fuzz makes a libFuzzer program of this file and replay.cpp a test. The environment's FUZZ_FORMAT is
-// off, obj, stl, ply (meshes), map (a PLY file with a map) or surface (JSON and CBOR).
+// off, obj, stl, ply, vtk, vtp, gii, freesurfer (meshes), map (a PLY file with a map) or surface (JSON and CBOR).
 
+#include <CGAL/Simple_manifolds/IO/internal/Ply_file.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_freesurfer.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_gifti.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_obj.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_off.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_stl.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_vtk.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_vtk_xml.h>
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/IO/read_mesh.h>
 #include <CGAL/Simple_manifolds/IO/surface_io.h>
@@ -33,6 +38,11 @@ void off(const std::string& bytes) { check_mesh(SM::internal::read_off(file, byt
 void obj(const std::string& bytes) { check_mesh(SM::internal::read_obj(file, bytes)); }
 void stl(const std::string& bytes) { check_mesh(SM::internal::read_stl(file, bytes)); }
 void ply(const std::string& bytes) { check_mesh(SM::internal::Ply_file(file, bytes).mesh()); }
+
+void vtk(const std::string& bytes) { check_mesh(SM::internal::read_vtk(file, bytes)); }
+void vtp(const std::string& bytes) { check_mesh(SM::internal::read_vtk_xml(file, bytes)); }
+void gii(const std::string& bytes) { check_mesh(SM::internal::read_gifti(file, bytes)); }
+void freesurfer(const std::string& bytes) { check_mesh(SM::internal::read_freesurfer(file, bytes)); }
 
 // What a map file holds may be a bijection: then both directions have to work.
 template <class Atlas>
@@ -88,10 +98,12 @@ void (*reader())(const std::string&)
 {
   const char* format = std::getenv("FUZZ_FORMAT");
   const std::map<std::string, void (*)(const std::string&)> readers = {
-    {"off", off}, {"obj", obj}, {"stl", stl}, {"ply", ply}, {"map", read_map}, {"surface", surface}};
+    {"off", off},      {"obj", obj},        {"stl", stl}, {"ply", ply},
+    {"vtk", vtk},      {"vtp", vtp},        {"gii", gii}, {"freesurfer", freesurfer},
+    {"map", read_map}, {"surface", surface}};
   const auto found = readers.find(format ? format : "");
   if (found == readers.end()) {
-    std::cerr << "FUZZ_FORMAT has to be off, obj, stl, ply, map or surface\n";
+    std::cerr << "FUZZ_FORMAT has to be off, obj, stl, ply, vtk, vtp, gii, freesurfer, map or surface\n";
     std::exit(2);
   }
   return found->second;

@@ -28,7 +28,7 @@ struct Read_warning {
     TRAILING_DATA,      ///< bytes or lines that follow the data
     SKIPPED_ELEMENTS,   ///< points, lines, curves and other elements that are no faces
     UNKNOWN_STATEMENTS, ///< lines, chunks or tags that the format does not know
-    SINGLE_PRECISION ///< coordinates that were read through numbers of 32 bits, though the file may have more
+    SINGLE_PRECISION ///< edges without length, since numbers of 32 bits are too coarse so far from the origin
   };
 
   Kind kind = UNKNOWN_STATEMENTS; ///< what it is
@@ -55,7 +55,11 @@ struct Read_warning {
     case UNKNOWN_STATEMENTS:
       return n + " statement" + plural + " that the format does not know" + are + " skipped" + place;
     case SINGLE_PRECISION:
-      return "coordinates are read with 24 bits" + place;
+      return n + " edge" + plural + " of faces" + (count == 1 ? " has" : " have") +
+             " no length since the numbers of 32 bits in the file are too coarse so far from the origin: "
+             "move the mesh to "
+             "the origin before it is written, or write 64 bits" +
+             place;
     }
     return place;
   }

@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_FILE_FORMAT_H
 
 #include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_freesurfer.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_off.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_stl.h>
 
@@ -22,20 +23,41 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-enum class File_format { UNKNOWN, OFF, OBJ, PLY, STL };
+// OTHER: one that assimp may read.
+enum class File_format { UNKNOWN, OFF, OBJ, PLY, STL, VTK, VTK_XML, GIFTI, FREESURFER, OTHER };
 
-// The format that the name of a file says; `.gz` at its end is passed over.
-inline File_format format_of_name(const std::string& file)
+// The extension of a file, with its point; `.gz` at the end is passed over.
+inline std::string extension_of(const std::string& file)
 {
   std::filesystem::path path(file);
   if (is_same_word(path.extension().string(), ".gz")) path = path.stem();
-  const std::string extension = path.extension().string();
+  return path.extension().string();
+}
+
+// The format that the name of a file says.
+inline File_format format_of_name(const std::string& file)
+{
+  const std::string extension = extension_of(file);
   const auto is = [&](const char* name) { return is_same_word(extension, name); };
   if (is(".off")) return File_format::OFF;
   if (is(".obj")) return File_format::OBJ;
   if (is(".ply")) return File_format::PLY;
   if (is(".stl")) return File_format::STL;
+  if (is(".vtk")) return File_format::VTK;
+  if (is(".vtp") || is(".vtu")) return File_format::VTK_XML;
+  if (is(".gii")) return File_format::GIFTI;
+  if (is(".asc")) return File_format::FREESURFER;
+  if (is(".glb") || is(".gltf") || is(".3mf") || is(".dae")) return File_format::OTHER;
   return File_format::UNKNOWN;
+}
+
+// The extension of what assimp reads, by its contents, or else the one that it has.
+inline std::string extension_of_contents(std::string_view bytes, const std::string& extension)
+{
+  return bytes.substr(0, 4) == "glTF"     ? ".glb"
+         : bytes.substr(0, 4) == "PK\3\4" ? ".3mf"
+         : bytes.find("<COLLADA") < 4096  ? ".dae"
+                                          : extension;
 }
 
 // Whether a text begins as an OBJ: a statement of one, and a vertex `v x y z` among its first lines.
@@ -63,6 +85,16 @@ inline File_format format_of_contents(std::string_view bytes)
     return is_same_word(text.substr(0, word.size()), word) &&
            (text.size() == word.size() || std::isspace((unsigned char)(text[word.size()])));
   };
+  if (text.substr(0, 22) == "# vtk DataFile Version") return File_format::VTK;
+  if (is_freesurfer_binary(bytes) || is_freesurfer_ascii(bytes)) return File_format::FREESURFER;
+  if (text.substr(0, 4) == "glTF" || text.substr(0, 4) == "PK\3\4") return File_format::OTHER;
+  if (text.substr(0, 1) == "<") {
+    const std::string_view head = text.substr(0, 4096);
+    return head.find("<VTKFile") != head.npos   ? File_format::VTK_XML
+           : head.find("<GIFTI") != head.npos   ? File_format::GIFTI
+           : head.find("<COLLADA") != head.npos ? File_format::OTHER
+                                                : File_format::UNKNOWN;
+  }
   if (begins_with("ply")) return File_format::PLY;
   if (begins_with("solid") && is_stl_ascii(bytes)) return File_format::STL;
   if (Stl_layout(bytes).fits()) return File_format::STL;

@@ -76,6 +76,8 @@ public:
   File_mesh mesh()
   {
     const std::vector<double>&x = vertex_property("x"), &y = vertex_property("y"), &z = vertex_property("z");
+    mesh_.is_single_precision =
+      vertex_columns_[find_column(vertex_columns_, "x")].type == Scalar_type::FLOAT32;
     mesh_.points.reserve(x.size());
     for (std::size_t v = 0; v < x.size(); ++v) mesh_.points.emplace_back(x[v], y[v], z[v]);
     for (const char* name : {"x", "y", "z"})

@@ -13,6 +13,7 @@
 #include <CGAL/Simple_manifolds/Mesh_properties.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -130,7 +131,9 @@ private:
       const long long count = Text_scanner(file_, w[2], false, lines).integer(w[2], "the number of elements");
       if (count < 0)
         fail("the number of " + Text_scanner::shown(w[1]) + " elements is " + std::to_string(count), lines);
-      if (!names_.insert(w[1]).second) // its columns would differ in length
+      std::string name(w[1]);
+      for (char& c : name) c = char(std::tolower((unsigned char)(c)));
+      if (!names_.insert(name).second) // its columns would differ in length
         fail("the element " + Text_scanner::shown(w[1]) + " comes twice", lines);
       elements.push_back({std::string(w[1]), std::size_t(count), {}});
     } else if (is(0, "property") && !elements.empty() && w.size() == 5 && is(1, "list")) {
@@ -146,7 +149,7 @@ private:
   const std::string& file_;
   std::string_view bytes_;
   char ends_by_ = '\n';
-  std::set<std::string_view> names_; // of elements
+  std::set<std::string> names_; // of elements, in lower case
 };
 
 } // namespace internal

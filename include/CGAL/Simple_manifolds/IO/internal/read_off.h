@@ -85,6 +85,7 @@ inline File_mesh read_off_binary(const std::string& file, std::string_view bytes
   Binary_scanner in(file, bytes, Binary_scanner::BIG_ENDIAN_BYTES, begin);
   const auto real = [&](const char* what) { return in.number(Scalar_type::FLOAT32, what); };
   File_mesh mesh;
+  mesh.is_single_precision = true;
   const std::size_t numbers = 3 * keyword.has_normals + 4 * keyword.has_colours + 2 * keyword.has_uv;
   const std::size_t vertices = in.count(Scalar_type::INT32, "vertices", 4 * (3 + numbers)),
                     faces = in.count(Scalar_type::INT32, "faces", 8);

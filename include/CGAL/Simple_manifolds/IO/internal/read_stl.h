@@ -89,6 +89,7 @@ inline File_mesh read_stl_binary(const std::string& file, std::string_view bytes
   if (faces > layout.present)
     in.fail("the file is cut off: of " + std::to_string(faces) + " facets " + std::to_string(layout.present) +
             " are there");
+  mesh.is_single_precision = true;
   Stl_vertices vertex(mesh);
   Property_rows attributes("attribute", 1, Scalar_type::UINT16);
   bool has_attributes = false;
