@@ -73,26 +73,36 @@ inline Surface_faults remaining_faults(const Soup_in_repair& r)
   return faults;
 }
 
-// Steps of a repair that make the next round of the same possible, until nothing changes.
-// Returns which vertices were joined to others.
-inline std::vector<char> join_and_drop(Soup_in_repair& r, const Repair_options& options)
+// Drops degenerate and duplicate faces.
+inline void drop_faces(Soup_in_repair& r, const Repair_options& options)
 {
-  const auto drop = [&] {
-    if (options.drop_degenerate) drop_degenerate_faces(r);
-    if (options.drop_duplicates) drop_duplicate_faces(r);
-  };
-  drop();
-  std::vector<char> is_joined;
-  if (options.drop_duplicates) drop_copies(r);
-  if (options.weld_distance) {
-    const double distance = *options.weld_distance * diagonal_of_faces(r.soup);
-    for (;;) { // each round has fewer vertices
-      r.report.left.coincident_borders = {};
-      if (!Border_welder(r, distance)(is_joined)) break;
-      drop();
-    }
+  if (options.drop_degenerate) drop_degenerate_faces(r);
+  while (options.drop_duplicates && drop_duplicate_faces(r)) {
   }
-  return is_joined;
+}
+
+// Welds, and drops what becomes degenerate or a duplicate, until nothing changes. Returns whether anything was joined.
+// is_joined: the vertices that have no face any more.
+inline bool weld(Soup_in_repair& r, const Repair_options& options, std::vector<char>& is_joined)
+{
+  if (!options.weld_distance) return false;
+  const double distance = *options.weld_distance * diagonal_of_faces(r.soup);
+  for (bool has_joined = false;; has_joined = true) { // each round has fewer vertices
+    r.report.left.coincident_borders = {};
+    if (!Border_welder(r, distance)(is_joined)) return has_joined;
+    drop_faces(r, options);
+  }
+}
+
+// Cuts. What is border then may coincide with other border, and is welded; to be on the safe side not for ever.
+inline void cut(Soup_in_repair& r, const Repair_options& options, std::vector<char>& is_joined)
+{
+  for (int rounds = 8;; --rounds) {
+    cut_non_manifold(r);
+    drop_faces(r, options); // both sides of a triangle that was stuck to a body
+    if (options.drop_duplicates) drop_copies(r);
+    if (rounds == 0 || !weld(r, options, is_joined)) return;
+  }
 }
 
 CGAL_SIMPLE_MANIFOLDS_INLINE Mesh_soup repair_soup(Mesh_soup input, const Repair_options& options,
@@ -102,10 +112,12 @@ CGAL_SIMPLE_MANIFOLDS_INLINE Mesh_soup repair_soup(Mesh_soup input, const Repair
   Soup_in_repair r(std::move(input));
   r.report.unused_vertices = number_of_unused_vertices(r.soup);
   if (options.drop_non_finite) drop_non_finite_faces(r);
-  const std::vector<char> is_joined = join_and_drop(r, options);
+  drop_faces(r, options);
+  if (options.drop_duplicates) drop_copies(r);
+  std::vector<char> is_joined;
+  weld(r, options, is_joined);
   if (options.cut_non_manifold) {
-    cut_non_manifold(r);
-    if (options.drop_duplicates) drop_duplicate_faces(r); // both sides of a triangle that was stuck to a body
+    cut(r, options, is_joined);
   } else if (options.face_orientation != Face_orientation::AS_IS) {
     std::vector<int> glued = glued_half_edges(r.soup);
     orient_patches(r, glued);

@@ -22,9 +22,8 @@ namespace Simple_manifolds {
 namespace internal {
 
 // Of two faces with the same corners in opposite orders the later one, if they are two sides of a sheet that stands
-// alone, or continues a surface at its border. A sheet has edges that belong to no other face than two sides. Not if they
-// are a wall between two bodies, or a fin on one: their sides belong to the bodies, and are cut from each other along
-// the rim like other faces at non-manifold edges.
+// alone, or continues a surface at its border. Not if they are a wall between two bodies, or a fin on one: their sides
+// belong to the bodies, and are cut from each other along the rim like other faces at non-manifold edges.
 inline void mark_backs_of_sheets(const Mesh_soup& soup, const std::vector<std::pair<int, int>>& sides,
                                  std::vector<char>& is_kept)
 {
@@ -35,7 +34,7 @@ inline void mark_backs_of_sheets(const Mesh_soup& soup, const std::vector<std::p
     other[g] = f;
     sheet.join(f, g);
   }
-  std::vector<int> free_faces, attached_faces;
+  std::vector<int> attached_faces;
   for_each_edge(soup, [&](auto begin, auto end) {
     std::ptrdiff_t others = 0;
     int f = -1; // one of the sides
@@ -46,25 +45,21 @@ inline void mark_backs_of_sheets(const Mesh_soup& soup, const std::vector<std::p
       if (f != -1) sheet.join(f, g);
       f = g;
     }
-    if (f == -1) return;
-    if (others > 1) attached_faces.push_back(f);
-    if (others == 0 && end - begin == 2) free_faces.push_back(f);
+    if (f != -1 && others > 1) attached_faces.push_back(f);
   });
-  std::vector<char> is_sheet(soup.number_of_faces(), false);
+  std::vector<char> is_attached(soup.number_of_faces(), false);
   std::vector<int> size(soup.number_of_faces(), 0);
-  for (int f : free_faces) is_sheet[sheet.root(f)] = true;
-  for (int f : attached_faces) is_sheet[sheet.root(f)] = false;
+  for (int f : attached_faces) is_attached[sheet.root(f)] = true;
   for (const auto& pair : sides) ++size[sheet.root(pair.first)];
   for (const auto& [f, g] : sides) {
     const int root = sheet.root(f);
     // Two polygons alone are a sphere; two triangles are not, since their edges have the same ends.
-    if (is_sheet[root] && (size[root] > 1 || soup.number_of_corners(f) == 3)) is_kept[g] = false;
+    if (!is_attached[root] && (size[root] > 1 || soup.number_of_corners(f) == 3)) is_kept[g] = false;
   }
 }
 
-// Drops faces with the same corners as an earlier one.
-// Precondition: proper faces.
-inline void drop_duplicate_faces(Soup_in_repair& r)
+// Drops faces with the same corners as an earlier one. Returns whether there were any; what is a wall can then be a sheet.
+inline bool drop_duplicate_faces(Soup_in_repair& r)
 {
   const Mesh_soup& soup = r.soup;
   const auto have_same_order = [&](int f, int g) {
@@ -90,6 +85,7 @@ inline void drop_duplicate_faces(Soup_in_repair& r)
     is_clean = false;
   }
   if (!is_clean) r.keep_faces(is_kept);
+  return !is_clean;
 }
 
 } // namespace internal

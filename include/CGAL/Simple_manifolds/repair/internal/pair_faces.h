@@ -179,7 +179,9 @@ private:
         for (std::size_t j = i + 1; j < wings.size(); ++j) {
           const bool is_one_patch = wings[i].patch == wings[j].patch; // e.g. of a body, which stays closed
           const auto& [sum, weight] = bends_.at(patches_of(wings[i], wings[j]));
-          const std::pair<double, double> cost(is_one_patch ? -1 : weight > 0 ? sum / weight : 0,
+          const std::pair<double, double> cost(is_one_patch ? -1
+                                               : weight > 0 ? sum / weight
+                                                            : 0,
                                                bend(wings[i], wings[j]));
           if (second != 0 && !(cost < least)) continue;
           least = cost;
