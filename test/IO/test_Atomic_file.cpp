@@ -179,6 +179,39 @@ void check_that_old_files_return(const Temporary_folder& base, Output& output, c
   CHECK_THROWS_AS(output.commit(), SM::IO_error);
 }
 
+TEST_CASE("a folder can have files in folders of its own")
+{
+  const Temporary_folder folder;
+  const auto write_all = [&](SM::Atomic_folder& output) {
+    for (const char* name : {"a", "in/b", "in/c", "on/d"}) std::ofstream(output.file(name)) << name;
+  };
+  {
+    SM::Atomic_folder output(folder("out"));
+    write_all(output);
+  }
+  CHECK(folder.entries().empty());
+  {
+    SM::Atomic_folder output(folder("out"));
+    write_all(output);
+    output.commit();
+  }
+  CHECK(folder.entries() ==
+        std::vector<std::string>{"out", "out/a", "out/in", "out/in/b", "out/in/c", "out/on", "out/on/d"});
+
+  // What is in the way is an error, and nothing changes.
+  folder.write("out/file", "");
+  {
+    SM::Atomic_folder blocked(folder("out"));
+    CHECK_THROWS_AS(blocked.file("file/x"), SM::IO_error);
+    SM::Atomic_folder late(folder("out"));
+    std::ofstream(late.file("new/x")) << "x";
+    std::ofstream(late.file("late/y")) << "y";
+    folder.write("out/late", "");
+    CHECK_THROWS_AS(late.commit(), SM::IO_error);
+  }
+  CHECK(folder.entries().size() == 9);
+}
+
 TEST_CASE("when one of several files cannot have its name, those that were there before return")
 {
   const Temporary_folder base;

@@ -32,6 +32,7 @@
   X(vertex_weight_map)   /* ReadablePropertyMap vertex -> double: relative area in the domain */             \
   X(projection_weights)  /* Projection_weights: of neighbours, in the paper's method */                      \
   X(partition_report)    /* std::reference_wrapper<Partition_report> */                                      \
+  X(partition_reports)   /* std::reference_wrapper<std::vector<Partition_report>>: one per component */      \
   X(corners)             /* Range of 4 vertex_descriptor: the corners of the square */                       \
   X(landmarks)           /* Range of Landmark: soft targets of vertices */                                   \
   X(close_borders)       /* Close_borders: which border loops are closed virtually */                        \

@@ -15,6 +15,7 @@
 #include <fstream>
 #include <string>
 #include <system_error>
+#include <vector>
 
 /// \file
 
@@ -145,10 +146,12 @@ public:
   {
     pending_.remove();
     std::error_code ignored;
-    if (!temporary_.empty()) std::filesystem::remove(temporary_, ignored);
+    if (temporary_.empty()) return;
+    for (const Inner_folder& inner : inner_) std::filesystem::remove(inner.temporary, ignored);
+    std::filesystem::remove(temporary_, ignored);
   }
 
-  /// The path at which the caller writes the file that will be called `name`.
+  /// The path at which the caller writes the file that will be called `name`, or `inner/name` in a folder in this one.
   /// \throw IO_error (`cannot_write`) when the temporary folder cannot be created, or `name` is a folder
   std::string file(const std::string& name)
   {
@@ -156,6 +159,8 @@ public:
     std::error_code ignored;
     if (std::filesystem::is_directory(folder_ / name, ignored))
       throw IO_error(Error_code::cannot_write, (folder_ / name).string(), "is a folder");
+    const std::filesystem::path inner = std::filesystem::path(name).parent_path();
+    if (!inner.empty()) add_folder(inner);
     pending_.add(temporary_ / name, folder_ / name);
     return (temporary_ / name).string();
   }
@@ -166,12 +171,18 @@ public:
   {
     const std::filesystem::path existing = nearest_existing();
     std::filesystem::path created = absolute_folder();
+    std::vector<std::filesystem::path> created_inner;
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
     try {
       if (error) throw IO_error(Error_code::cannot_write, folder_.string(), error.message());
+      for (const Inner_folder& inner : inner_) {
+        if (std::filesystem::create_directory(inner.folder, error)) created_inner.push_back(inner.folder);
+        if (error) throw IO_error(Error_code::cannot_write, inner.folder.string(), error.message());
+      }
       pending_.move();
     } catch (...) {
+      for (const std::filesystem::path& inner : created_inner) std::filesystem::remove(inner, error);
       for (; created != existing && created != created.root_path(); created = created.parent_path())
         std::filesystem::remove(created, error);
       throw;
@@ -194,6 +205,20 @@ private:
     return path;
   }
 
+  void add_folder(const std::filesystem::path& name)
+  {
+    const std::filesystem::path folder = folder_ / name;
+    for (const Inner_folder& inner : inner_)
+      if (inner.folder == folder) return;
+    std::error_code error;
+    const auto status = std::filesystem::status(folder, error);
+    if (std::filesystem::exists(status) && !std::filesystem::is_directory(status))
+      throw IO_error(Error_code::cannot_write, folder.string(), "is not a folder");
+    inner_.push_back({folder, temporary_ / name}); // before it is there, so that it is removed in any case
+    std::filesystem::create_directory(inner_.back().temporary, error);
+    if (error) throw IO_error(Error_code::cannot_write, folder.string(), error.message());
+  }
+
   // Where the folder is or will be: renaming then stays on one disk.
   void create_temporary()
   {
@@ -207,7 +232,12 @@ private:
     }
   }
 
+  struct Inner_folder {
+    std::filesystem::path folder, temporary;
+  };
+
   std::filesystem::path folder_, temporary_;
+  std::vector<Inner_folder> inner_;
   internal::Pending_files pending_;
 };
 

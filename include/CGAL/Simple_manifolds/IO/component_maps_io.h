@@ -44,37 +44,46 @@ inline std::string numbered_file(const std::string& file, std::size_t k)
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// Writes the maps of components as PLY files, each as `write_map()` does: NAME.ply, NAME.2.ply, NAME.3.ply, ..., all
-/// of them or none. Components without a map are left out. If there are several, a comment of each file says which of
-/// how many it is, and the name: `component 2 of 3 part-2`.
+/// Writes the maps of components as PLY files, each as `write_map()` does: NAME.ply, NAME.2.ply, NAME.3.ply, ...
+/// Components without a map are left out. If there are several, a comment of each file says which of how many it is, and
+/// the name: `component 2 of 3 part-2`.
 ///
+/// \param files  they appear with the others of `files`
 /// \param file  NAME.ply
 /// \param np  the named parameters of `write_map()`
-/// \tparam Any  an `Any_map` or `Any_mesh_map`
-/// \pre there is a map
-/// \throw IO_error (`cannot_write`); files that were there before are then as they were
-template <class Any, class NamedParameters = parameters::Default_named_parameters>
-void write_maps(const std::string& file, const std::vector<Component<Any>>& maps,
+/// \tparam AnyMap  an `Any_map` or `Any_mesh_map`
+/// \throw IO_error (`cannot_write`)
+template <class AnyMap, class NamedParameters = parameters::Default_named_parameters>
+void write_maps(Atomic_files& files, const std::string& file, const std::vector<Component<AnyMap>>& maps,
                 const NamedParameters& np = parameters::default_values())
 {
   CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "use_binary_mode");
-  const std::size_t n = number_of_values(maps);
-  CGAL_precondition(n > 0);
   const bool is_binary = internal::parameter(np, CGAL::internal_np::use_binary_mode, true);
-  Atomic_files files;
+  internal::Map_file_part part;
+  part.count = number_of_values(maps);
   std::size_t k = 0;
-  for (const Component<Any>& part : maps) {
-    if (!part.has_value()) continue;
-    ++k;
-    const std::string path = files.file(numbered_file(file, k));
-    std::visit(
-      [&](const auto& map) {
-        internal::write_map_file(path, map, is_binary,
-                                 n == 1 ? internal::Map_file_part()
-                                        : internal::Map_file_part{k, n, part.name});
-      },
-      part.value());
+  for (const Component<AnyMap>& component : maps) {
+    if (!component.has_value()) continue;
+    const std::string path = files.file(numbered_file(file, ++k));
+    if (part.count > 1) part.number = k;
+    part.name = component.name;
+    std::visit([&](const auto& map) { internal::write_map_file(path, map, is_binary, part); },
+               component.value());
   }
+}
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// The same, by themselves: all of them or none.
+/// \pre there is a map
+/// \throw IO_error (`cannot_write`); files that were there before are then as they were
+template <class AnyMap, class NamedParameters = parameters::Default_named_parameters>
+void write_maps(const std::string& file, const std::vector<Component<AnyMap>>& maps,
+                const NamedParameters& np = parameters::default_values())
+{
+  CGAL_precondition(number_of_values(maps) > 0);
+  Atomic_files files;
+  write_maps(files, file, maps, np);
   files.commit();
 }
 

@@ -98,11 +98,12 @@ std::vector<int> corners_of_part(const Vertices& vertex, const Mesh_arrays& a, c
   return corners_of(vertex, a, np);
 }
 
-// Maps each component by itself. with(map): what is made of its Any_map, a Value.
-template <class Value, class ConcurrencyTag, class Soup, class Vertices, class NamedParameters, class With>
-std::vector<Component<Value>> map_components(const Soup& soup, const std::vector<Eigen::Vector3d>& points,
-                                             const Vertices& vertex, const NamedParameters& np,
-                                             const With& with)
+// The Any_map of each component by itself, or what with(map) makes of it: a Value. method(k, arrays, vertex, visitor)
+// makes the map of component k.
+template <class Value, class Soup, class Vertices, class NamedParameters, class Method, class With>
+std::vector<Component<Value>> map_parts(bool is_parallel, const Soup& soup,
+                                        const std::vector<Eigen::Vector3d>& points, const Vertices& vertex,
+                                        const NamedParameters& np, const Method& method, const With& with)
 {
   const std::size_t most = parameter(np, internal_np::max_components, all_components);
   CGAL_precondition(most >= 1);
@@ -113,7 +114,6 @@ std::vector<Component<Value>> map_components(const Soup& soup, const std::vector
     for (std::size_t i = 0; i < part.vertices.size(); ++i) local[part.vertices[i]] = static_cast<int>(i);
     sizes.push_back(static_cast<double>(part.faces.size()));
   }
-  const Map_request request = map_request<ConcurrencyTag>(np);
   const auto make = [&](int k, const Visitor_reference& visitor) -> Value {
     const Mesh_component& part = parts[k];
     const Part_vertices<Vertices> part_vertex(vertex, part.vertices);
@@ -122,14 +122,11 @@ std::vector<Component<Value>> map_components(const Soup& soup, const std::vector
     Mesh_arrays arrays = with_part(soup, part, local, [&](const auto& part_soup) {
       return mesh_arrays(part_soup, part_points, part_vertex, np);
     });
-    const std::vector<int> corners = corners_of_part(part_vertex, arrays, np);
-    CGAL_precondition_msg(corners.empty() || !arrays.topology.is_closed(), "a closed mesh has no corners");
-    return with(with_canonical_surface(arrays.topology, [&](auto type) -> Any_map {
-      return map_to(type, std::move(arrays), corners,
-                    Map_request{request.options, request.is_parallel, visitor});
-    }));
+    return with(method(k, std::move(arrays), part_vertex, visitor));
   };
-  auto results = values_or_errors<Value>(request.is_parallel, sizes, request.visitor, "map", make);
+  Default_visitor default_visitor;
+  const Visitor_reference visitor(parameter(np, CGAL::internal_np::visitor, default_visitor));
+  auto results = values_or_errors<Value>(is_parallel, sizes, visitor, "map", make);
   std::vector<Component<Value>> components;
   components.reserve(parts.size());
   for (std::size_t k = 0; k < parts.size(); ++k)
@@ -137,16 +134,40 @@ std::vector<Component<Value>> map_components(const Soup& soup, const std::vector
   return components;
 }
 
-// The same as the public function; the parameters may be others, too.
-template <class ConcurrencyTag, class FaceListGraph, class NamedParameters>
-Component_mesh_maps<FaceListGraph> map_components(const FaceListGraph& mesh, const NamedParameters& np)
+// The same for the components of a mesh, as maps of the mesh.
+template <class FaceListGraph, class NamedParameters, class Method>
+Component_mesh_maps<FaceListGraph> map_mesh_parts(bool is_parallel, const FaceListGraph& mesh,
+                                                  const NamedParameters& np, const Method& method)
 {
   const Polygon_soup soup(mesh);
   const auto elements = std::make_shared<const Mesh_elements<FaceListGraph>>(mesh, soup);
   const auto points = points_of_mesh(
     mesh, parameter(np, CGAL::internal_np::vertex_point, get_const_property_map(CGAL::vertex_point, mesh)));
-  return map_components<Any_mesh_map<FaceListGraph>, ConcurrencyTag>(
-    soup, points, elements->vertex, np, [&](Any_map map) { return with_mesh(std::move(map), elements); });
+  return map_parts<Any_mesh_map<FaceListGraph>>(
+    is_parallel, soup, points, elements->vertex, np, method,
+    [&](Any_map map) { return with_mesh(std::move(map), elements); });
+}
+
+// The method of map_to_canonical_surface().
+template <class ConcurrencyTag, class NamedParameters>
+auto certified_method(const NamedParameters& np)
+{
+  const Map_request request = map_request<ConcurrencyTag>(np);
+  return [&np, request](int, Mesh_arrays arrays, const auto& vertex, const Visitor_reference& visitor) {
+    const std::vector<int> corners = corners_of_part(vertex, arrays, np);
+    CGAL_precondition_msg(corners.empty() || !arrays.topology.is_closed(), "a closed mesh has no corners");
+    return with_canonical_surface(arrays.topology, [&](auto type) -> Any_map {
+      return map_to(type, std::move(arrays), corners,
+                    Map_request{request.options, request.is_parallel, visitor});
+    });
+  };
+}
+
+// The same as the public function; the parameters may be others, too.
+template <class ConcurrencyTag, class FaceListGraph, class NamedParameters>
+Component_mesh_maps<FaceListGraph> map_components(const FaceListGraph& mesh, const NamedParameters& np)
+{
+  return map_mesh_parts(is_parallel<ConcurrencyTag>(), mesh, np, certified_method<ConcurrencyTag>(np));
 }
 
 } // namespace internal
@@ -209,8 +230,9 @@ Component_maps map_components(const PointRange& points, const TriangleRange& tri
   const std::vector<Eigen::Vector3d> p = internal::points_of_range(points);
   internal::require_countable(p.size());
   const std::vector<Triangle> t = internal::triangles_of_range(triangles, p.size());
-  return internal::map_components<Any_map, ConcurrencyTag>(
-    internal::Triangle_soup(static_cast<int>(p.size()), t), p, internal::Positions(p.size()), np,
+  return internal::map_parts<Any_map>(
+    internal::is_parallel<ConcurrencyTag>(), internal::Triangle_soup(static_cast<int>(p.size()), t), p,
+    internal::Positions(p.size()), np, internal::certified_method<ConcurrencyTag>(np),
     [](Any_map map) { return map; });
 }
 
