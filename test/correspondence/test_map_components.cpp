@@ -200,7 +200,8 @@ TEST_CASE("What is wrong with a component is its own, and named by the numbers o
   const int n = int(bodies::sphere(2).points.size());
   body.points[n + 3].y() = std::numeric_limits<double>::quiet_NaN(); // in the second
   std::swap(body.triangles[96][1], body.triangles[96][2]);           // in the third: against its neighbours
-  body.triangles[3 * 48 + 5][1] = body.triangles[3 * 48 + 5][0];     // in the fourth: two corners in one
+  body.triangles[3 * 48 + 5][1] = body.triangles[3 * 48 + 5][0]; // in the fourth: twice two corners in one
+  body.triangles[3 * 48 + 7][1] = body.triangles[3 * 48 + 7][0];
   const auto maps = SM::map_components(body.points, body.triangles);
   REQUIRE(maps.size() == 5);
   CHECK(maps[0].has_value());
@@ -213,6 +214,7 @@ TEST_CASE("What is wrong with a component is its own, and named by the numbers o
   CHECK_THAT(maps[2].error().what(), Catch::Matchers::ContainsSubstring("96"));
   CHECK(maps[3].error().code() == SM::Error_code::degenerate_face);
   CHECK(maps[3].error().element().first == 3 * 48 + 5);
+  CHECK_THAT(maps[3].error().what(), Catch::Matchers::ContainsSubstring("face 149, face 151"));
 
   body.triangles[0][0] = 1000; // in no component
   CHECK_THROWS_AS(SM::map_components(body.points, body.triangles), SM::Topology_error);

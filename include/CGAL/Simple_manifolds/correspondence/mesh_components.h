@@ -14,14 +14,13 @@
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/Component.h>
 #include <CGAL/Simple_manifolds/internal/Polygon_soup.h>
+#include <CGAL/Simple_manifolds/internal/Union_find.h>
 #include <CGAL/Simple_manifolds/internal/half_edges.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <string>
-#include <utility>
 #include <vector>
 
 /// \file
@@ -40,33 +39,25 @@ template <class Soup>
 std::vector<Mesh_component> components_of(const Soup& soup, std::size_t most = all_components)
 {
   if (soup.number_of_faces() == 0) throw Topology_error(Error_code::empty_mesh, "the mesh has no faces");
-  std::vector<int> parent(soup.number_of_vertices());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  Union_find classes(soup.number_of_vertices());
   for (int f = 0; f < soup.number_of_faces(); ++f) {
     require_vertices_of_mesh(soup, f);
-    for (int h = soup.first(f) + 1; h <= soup.last(f); ++h) {
-      const int a = root(soup.source(h - 1)), b = root(soup.source(h));
-      parent[(std::max)(a, b)] = (std::min)(a, b);
-    }
+    for (int h = soup.first(f) + 1; h <= soup.last(f); ++h) classes.join(soup.source(h - 1), soup.source(h));
   }
-  std::vector<Mesh_component> all;            // by first face
-  std::vector<int> number(parent.size(), -1); // per root of the component
+  std::vector<Mesh_component> all;                        // by first face
+  std::vector<int> number(soup.number_of_vertices(), -1); // of the component of a class, by its root
   for (int f = 0; f < soup.number_of_faces(); ++f) {
-    int& c = number[root(soup.source(soup.first(f)))];
+    int& c = number[classes.root(soup.source(soup.first(f)))];
     if (c == -1) {
       c = static_cast<int>(all.size());
       all.emplace_back();
     }
     all[c].faces.push_back(f);
   }
-  std::vector<char> used(parent.size(), false);
+  std::vector<char> used(soup.number_of_vertices(), false);
   for (int h = 0; h < soup.number_of_half_edges(); ++h) used[soup.source(h)] = true;
-  for (std::size_t v = 0; v < used.size(); ++v)
-    if (used[v]) all[number[root(static_cast<int>(v))]].vertices.push_back(static_cast<int>(v));
+  for (int v = 0; v < soup.number_of_vertices(); ++v)
+    if (used[v]) all[number[classes.root(v)]].vertices.push_back(v);
 
   std::stable_sort(all.begin(), all.end(), [](const Mesh_component& a, const Mesh_component& b) {
     return a.faces.size() > b.faces.size();

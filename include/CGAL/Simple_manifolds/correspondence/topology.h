@@ -88,7 +88,12 @@ std::string all_faults(const std::string& first, const Soup& soup)
     for (int h = soup.first(f); h <= soup.last(f); ++h) copy.add_corner(soup.source(h));
     copy.end_face();
   }
-  const Surface_faults faults = surface_faults(copy, false);
+  Surface_faults faults = surface_faults(copy, false);
+  for (Located_elements* kind :
+       {&faults.missing_vertices, &faults.non_finite_vertices, &faults.degenerate_faces,
+        &faults.repeated_corners, &faults.duplicate_faces, &faults.non_manifold_edges,
+        &faults.inconsistent_edges, &faults.non_manifold_vertices})
+    for (Mesh_element& e : kind->elements) e = soup.names().element(e);
   return faults.number() > 1 ? first + "; in all: " + faults.sentence() : first;
 }
 

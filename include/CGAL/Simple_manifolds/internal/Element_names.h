@@ -8,6 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_INTERNAL_ELEMENT_NAMES_H
 #define CGAL_SIMPLE_MANIFOLDS_INTERNAL_ELEMENT_NAMES_H
 
+#include <CGAL/Simple_manifolds/Error.h>
+
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -26,6 +29,14 @@ public:
 
   int vertex(int v) const { return vertices_ ? (*vertices_)[v] : v; }
   int face(int f) const { return faces_ ? (*faces_)[f] : f; }
+  Mesh_element element(const Mesh_element& e) const
+  {
+    const auto name = [&](std::size_t i) {
+      return static_cast<std::size_t>(e.kind == Mesh_element::FACE ? face(int(i)) : vertex(int(i)));
+    };
+    if (e.kind == Mesh_element::NONE) return e;
+    return {e.kind, name(e.first), e.kind == Mesh_element::EDGE ? name(e.second) : e.second};
+  }
 
 private:
   const std::vector<int>*vertices_ = nullptr, *faces_ = nullptr;
