@@ -13,10 +13,15 @@
 #include <CGAL/Simple_manifolds/atlas/internal/flat_geometry_impl.h>
 #include <CGAL/Simple_manifolds/atlas/internal/sphere_balance_impl.h>
 #include <CGAL/Simple_manifolds/atlas/internal/torus_balance_impl.h>
+#include <CGAL/Simple_manifolds/correspondence/certify_impl.h>
+#include <CGAL/Simple_manifolds/correspondence/criteria_impl.h>
+#include <CGAL/Simple_manifolds/correspondence/distortion_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/closed_triangles_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_plane_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_sphere_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_torus_impl.h>
+#include <CGAL/Simple_manifolds/correspondence/mesh_components_impl.h>
+#include <CGAL/Simple_manifolds/correspondence/topology_impl.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Chart_spline_impl.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_fit_impl.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_space_impl.h>

@@ -59,18 +59,7 @@ struct Criteria_report {
   bool holds_at_each_vertex() const { return charts.stars_without_chart + vertices_outside == 0; }
 
   /// The numbers in one sentence.
-  std::string sentence() const
-  {
-    const auto rounded = [](double x) {
-      const std::string s = std::to_string(x);
-      return s.substr(0, s.size() - 3);
-    };
-    return "vertices per chart: coefficient of variation " + rounded(charts.variation) +
-           ", largest deviation " + rounded(largest_deviation) + "; of " + std::to_string(vertices) +
-           " vertices " + std::to_string(charts.stars_without_chart) + " have no chart for their star and " +
-           std::to_string(vertices_outside) + " lie outside of its polygon, " +
-           rounded(100 * convex_share()) + " % of the polygons are convex";
-  }
+  std::string sentence() const;
 };
 
 namespace internal {
@@ -82,20 +71,7 @@ inline double determinant_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 
 // Whether the polygon turns left or goes straight at each corner and all of it is seen from the origin.
 // Points in line are no longer quite so in chart coordinates.
-inline bool is_convex_round_origin(std::vector<Eigen::Vector2d> polygon, bool is_closed)
-{
-  constexpr double tolerance = 1e-12;
-  const auto turns_left = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return determinant_of(a, b) >= -tolerance * a.norm() * b.norm();
-  };
-  if (!is_closed) polygon.emplace_back(0, 0);
-  const std::size_t n = polygon.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::Vector2d &a = polygon[i], &b = polygon[(i + 1) % n], &c = polygon[(i + 2) % n];
-    if (!turns_left(a, b) || !turns_left(b - a, c - b)) return false;
-  }
-  return true;
-}
+bool is_convex_round_origin(std::vector<Eigen::Vector2d> polygon, bool is_closed);
 
 // Criteria 2 to 4 for a vertex at p.
 template <class Atlas, class Point>
@@ -171,5 +147,9 @@ Criteria_report criteria_report(const Map& map)
 
 } // namespace Simple_manifolds
 } // namespace CGAL
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_COMPILED
+#include <CGAL/Simple_manifolds/correspondence/criteria_impl.h>
+#endif
 
 #endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_CRITERIA_H

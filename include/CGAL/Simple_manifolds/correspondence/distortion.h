@@ -16,7 +16,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -126,78 +125,14 @@ Face_maps face_maps(const Atlas& atlas, const std::vector<Eigen::Vector3d>& poin
   return maps;
 }
 
-inline double sum(const std::vector<double>& values)
-{
-  double s = 0;
-  for (double x : values) s += x;
-  return s;
-}
-
 // The metric M = G^-1 sqrt(det G), G = sum of area * J J^T, minimises the Dirichlet energy
 // sum of area * tr(J^T M J) among all metrics of determinant 1.
-inline Eigen::Matrix2d best_metric(const Face_maps& maps)
-{
-  Eigen::Matrix2d gram = Eigen::Matrix2d::Zero();
-  for (std::size_t i = 0; i < maps.area.size(); ++i)
-    gram += maps.area[i] * maps.jacobian[i] * maps.jacobian[i].transpose();
-  return gram.inverse() * std::sqrt(gram.determinant());
-}
+Eigen::Matrix2d best_metric(const Face_maps& maps);
 
 // Largest and smallest singular value of a 2x2 matrix.
-inline std::pair<double, double> singular_values(const Eigen::Matrix2d& m)
-{
-  const double determinant = std::abs(m.determinant());
-  const double p = std::hypot(m(0, 0) + m(1, 1), m(0, 1) - m(1, 0));
-  const double q = std::hypot(m(0, 0) - m(1, 1), m(0, 1) + m(1, 0));
-  const double large = (p + q) / 2, little = std::abs(p - q) / 2;
-  return {large,
-          large > 0 ? (std::min)(little, determinant / large) : little}; // the quotient is more precise
-}
+std::pair<double, double> singular_values(const Eigen::Matrix2d& m);
 
-// The least value whose cumulated weight reaches the share q of all the weight.
-inline double weighted_percentile(const std::vector<double>& value, const std::vector<double>& weight,
-                                  double q)
-{
-  std::vector<std::size_t> order(value.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t i, std::size_t j) { return value[i] < value[j]; });
-  std::vector<double> cumulated;
-  double s = 0;
-  for (std::size_t i : order) cumulated.push_back(s += weight[i]);
-  const std::size_t i = std::lower_bound(cumulated.begin(), cumulated.end(), q * s) - cumulated.begin();
-  return value[order[(std::min)(i, order.size() - 1)]];
-}
-
-inline Distortion distortion_in_metric(const Face_maps& maps, const Eigen::Matrix2d& metric)
-{
-  Distortion d;
-  d.metric = metric;
-  d.zero_area_faces = maps.zero_area_faces;
-  d.smallest_domain_area = maps.smallest_domain_area;
-  if (maps.area.empty()) return d;
-  const Eigen::Matrix2d root = metric.llt().matrixU();
-  const double area = sum(maps.area), domain_area = sum(maps.domain_area);
-  const double scale = area / sum(maps.flat_area); // of squared lengths, to equal total areas
-  double inverse_squares = 0;
-  std::vector<double> angle(maps.area.size()), weight(maps.area.size());
-  for (std::size_t i = 0; i < maps.area.size(); ++i) {
-    const auto [s1, s2] = singular_values(root * maps.jacobian[i]);
-    const double w = weight[i] = maps.area[i] / area;
-    const double squares = s1 * s1 + s2 * s2, inverses = 1 / (s1 * s1) + 1 / (s2 * s2);
-    const double log_area = std::abs(std::log10(maps.domain_area[i] / domain_area / w));
-    angle[i] = s1 / s2;
-    d.angle_mean += w * angle[i];
-    d.angle_max = (std::max)(d.angle_max, angle[i]);
-    d.area_mean_abs_log10 += w * log_area;
-    d.area_max_abs_log10 = (std::max)(d.area_max_abs_log10, log_area);
-    d.symmetric_dirichlet += w * (scale * squares + inverses / scale) / 4;
-    inverse_squares += w * inverses / scale / 2;
-  }
-  d.angle_p99 = weighted_percentile(angle, weight, 0.99);
-  d.l2_efficiency = inverse_squares > 0 ? 1 / inverse_squares : 0.;
-  return d;
-}
+Distortion distortion_in_metric(const Face_maps& maps, const Eigen::Matrix2d& metric);
 
 } // namespace internal
 
@@ -296,5 +231,9 @@ Chart_report chart_report(const Map& map)
 
 } // namespace Simple_manifolds
 } // namespace CGAL
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_COMPILED
+#include <CGAL/Simple_manifolds/correspondence/distortion_impl.h>
+#endif
 
 #endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_DISTORTION_H

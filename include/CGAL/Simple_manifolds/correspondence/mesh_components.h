@@ -15,6 +15,7 @@
 #include <CGAL/Simple_manifolds/correspondence/Component.h>
 #include <CGAL/Simple_manifolds/internal/Polygon_soup.h>
 #include <CGAL/Simple_manifolds/internal/Union_find.h>
+#include <CGAL/Simple_manifolds/internal/compiled.h>
 #include <CGAL/Simple_manifolds/internal/half_edges.h>
 
 #include <algorithm>
@@ -88,13 +89,22 @@ std::vector<Mesh_component> mesh_components(const FaceListGraph& mesh)
 /// The same for indexed triangles.
 /// \param number_of_vertices  the indices are in [0, `number_of_vertices`); vertices of no face belong to no component
 /// \throw Topology_error  `empty_mesh`; `degenerate_face`, for an index out of range
-inline std::vector<Mesh_component> mesh_components(std::size_t number_of_vertices,
-                                                   const std::vector<Triangle>& triangles)
-{
-  return internal::components_of(internal::Triangle_soup(static_cast<int>(number_of_vertices), triangles));
-}
+std::vector<Mesh_component> mesh_components(std::size_t number_of_vertices,
+                                            const std::vector<Triangle>& triangles);
+
+#ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
+namespace internal {
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE std::vector<Mesh_component> components_of(const Triangle_soup&,
+                                                                            std::size_t);
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE std::vector<Mesh_component> components_of(const Polygon_soup&, std::size_t);
+} // namespace internal
+#endif
 
 } // namespace Simple_manifolds
 } // namespace CGAL
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_COMPILED
+#include <CGAL/Simple_manifolds/correspondence/mesh_components_impl.h>
+#endif
 
 #endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MESH_COMPONENTS_H

@@ -14,6 +14,7 @@
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/internal/Polygon_soup.h>
 #include <CGAL/Simple_manifolds/internal/Union_find.h>
+#include <CGAL/Simple_manifolds/internal/compiled.h>
 #include <CGAL/Simple_manifolds/internal/half_edges.h>
 #include <CGAL/Simple_manifolds/internal/surface_faults.h>
 
@@ -50,16 +51,7 @@ struct Mesh_topology {
   bool is_disk() const { return is_connected() && border_loops == 1 && euler_characteristic == 1; }
 
   /// All of it in words, e.g. `the mesh is closed, connected, genus 2 (V - E + F = -2)`.
-  std::string sentence() const
-  {
-    const std::string loops = border_loops == 1 ? " border loop, is " : " border loops, is ";
-    const std::string border =
-      is_closed() ? "the mesh is closed, " : "the mesh has " + std::to_string(border_loops) + loops;
-    const std::string pieces = is_connected() ? "connected, genus " + std::to_string(genus)
-                                              : "in " + std::to_string(components) + " components, genus " +
-                                                  std::to_string(genus) + " in all";
-    return border + pieces + " (V - E + F = " + std::to_string(euler_characteristic) + ")";
-  }
+  std::string sentence() const;
 };
 
 namespace internal {
@@ -157,46 +149,33 @@ Mesh_topology topology(const FaceListGraph& mesh)
 /// \param number_of_vertices  the indices are in [0, `number_of_vertices`); vertices of no face are isolated
 /// \throw Topology_error  `empty_mesh`, `degenerate_face` (a vertex twice, or an index out of range),
 ///   `non_manifold_edge`, `inconsistent_orientation`, `non_manifold_vertex`; the message names the element
-inline Mesh_topology topology(std::size_t number_of_vertices, const std::vector<Triangle>& triangles)
-{
-  std::vector<int> opposite;
-  return internal::topology_of_soup(internal::Triangle_soup(static_cast<int>(number_of_vertices), triangles),
-                                    opposite);
-}
+Mesh_topology topology(std::size_t number_of_vertices, const std::vector<Triangle>& triangles);
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
 ///
 /// Nothing, for a closed connected surface of genus `genus`.
 /// \throw Topology_error  `several_components`, `not_closed` or `wrong_genus`, saying what the mesh is
-inline void require_closed_genus(const Mesh_topology& topology, int genus)
-{
-  static const char* const names[] = {"a sphere", "a torus"};
-  const std::string what = genus < 2 ? names[genus] : "a surface of genus " + std::to_string(genus);
-  const auto fail = [&](Error_code code, const std::string& needed) {
-    throw Topology_error(code, topology.sentence() + ": " + what + " " + needed);
-  };
-  if (!topology.is_connected()) fail(Error_code::several_components, "is connected");
-  if (!topology.is_closed()) fail(Error_code::not_closed, "has no border");
-  if (topology.genus != genus) fail(Error_code::wrong_genus, "has genus " + std::to_string(genus));
-}
+void require_closed_genus(const Mesh_topology& topology, int genus);
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
 ///
 /// Nothing, for a disk: a connected surface with one border loop and no handle.
 /// \throw Topology_error  `several_components`, `no_border`, `several_border_loops` or `wrong_genus`,
 ///   saying what the mesh is
-inline void require_disk(const Mesh_topology& topology)
-{
-  const auto fail = [&](Error_code code, const std::string& needed) {
-    throw Topology_error(code, topology.sentence() + ": a disk " + needed);
-  };
-  if (!topology.is_connected()) fail(Error_code::several_components, "is connected");
-  if (topology.is_closed()) fail(Error_code::no_border, "has a border");
-  if (topology.border_loops != 1) fail(Error_code::several_border_loops, "has one border loop");
-  if (topology.genus != 0) fail(Error_code::wrong_genus, "has genus 0");
-}
+void require_disk(const Mesh_topology& topology);
+
+#ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
+namespace internal {
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Mesh_topology topology_of_soup(const Triangle_soup&, std::vector<int>&);
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Mesh_topology topology_of_soup(const Polygon_soup&, std::vector<int>&);
+} // namespace internal
+#endif
 
 } // namespace Simple_manifolds
 } // namespace CGAL
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_COMPILED
+#include <CGAL/Simple_manifolds/correspondence/topology_impl.h>
+#endif
 
 #endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_TOPOLOGY_H
