@@ -15,10 +15,10 @@ std::string shown(double x)
   return text;
 }
 
-namespace {
-
-// The same of a figure of the metrics, which may be none.
+// Beside the other: in a namespace of its own it would hide that, and call itself.
 std::string shown(const Json& x) { return x.is_number() ? shown(x.get<double>()) : "infinite"; }
+
+namespace {
 
 // A fraction of the diagonal: "0.15 %".
 std::string percent(const Json& x)

@@ -15,6 +15,9 @@ using Json = nlohmann::ordered_json;
 /// E.g. "0.00123".
 std::string shown(double x);
 
+/// The same of a figure of the metrics, which may be none.
+std::string shown(const Json& x);
+
 /// The lines and the table.
 std::string figures(const Json& metrics);
 
