@@ -32,6 +32,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,7 +65,8 @@ Face_distortions face_distortions(const Map& map)
     const auto [s1, s2] = singular_values(root * to_domain);
     d.angle.push_back(area[f] > 0 ? s1 / s2 : std::numeric_limits<double>::quiet_NaN());
   }
-  const double scale = sum(area) / sum(domain_area);
+  const double scale = std::accumulate(area.begin(), area.end(), 0.) /
+                       std::accumulate(domain_area.begin(), domain_area.end(), 0.);
   for (std::size_t f = 0; f < n; ++f)
     d.log10_area.push_back(area[f] > 0 ? std::log10(scale * domain_area[f] / area[f])
                                        : std::numeric_limits<double>::quiet_NaN());
