@@ -18,8 +18,15 @@ Command_line::Command_line(std::string synopsis, std::string summary)
   add("output,o", po::value<std::string>()->required(), "where to write (required)");
   add("method", po::value<std::string>()->default_value("certified"),
       "how to map: certified, or paper (Grimm 2002), which may fail; the result is certified either way");
-  add("close-borders", po::value<std::string>()->default_value("none"),
-      "border loops to close by virtual faces: none, inner (all but the longest), all");
+  add("repair", po::bool_switch(),
+      "cut the mesh where it is no manifold, turn bodies outward, drop debris and faces without finite\n"
+      "corners; what cannot change the object is mended in any case");
+  add("weld", po::value<std::string>(),
+      "join border edges that coincide up to this distance, a fraction of the diagonal (default: 1e-6), or\n"
+      "none: no weld");
+  add("close-borders", po::value<std::string>()->default_value("small"),
+      "border loops to close by virtual faces: none, small (up to a thousandth of the area), inner (all but\n"
+      "the longest), all");
   add("corners", po::value<std::string>(),
       "a,b,c,d: the vertices of a disk that go to the corners of the square, counterclockwise on its\n"
       "border; numbers of the file, from 0 (default: its own corners)");
@@ -58,7 +65,7 @@ void Command_line::parse(int argc, char** argv)
   if (!values_.count("input")) throw Usage_error("no INPUT is given");
   po::notify(values_);
   require_choice("method", {"certified", "paper"});
-  require_choice("close-borders", {"none", "inner", "all"});
+  require_choice("close-borders", {"none", "small", "inner", "all"});
   limit_threads();
 }
 

@@ -281,8 +281,8 @@ if(PART STREQUAL bad_input)
       "3;text.obj;OBJ" "3;mesh.xyz;extension" "3;folder.off;regular file" "3;circle.off;link" "3;${long}.off;too long"
       "3;${long};too long" "3;truncated.off;line 9.*ends"
       "3;huge.off;1000000000 vertices" "3;index.off;face 0 refers to vertex 4"
-      "4;nan.off;vertex 1 of 4.*NaN" "4;cloud.off;no faces"
-      "4;edge.off;[(]0,1[)].*3 faces" "4;orientation.off;faces 0 and 1" "4;face.off;face 0"
+      "4;nan.off;1 vertex .*NaN.*--repair" "4;cloud.off;no faces"
+      "4;edge.off;1 edge belongs to more than two faces at .*--repair" "4;face.off;no face is left: 1 degenerate"
       "4;two.off;2 components" "4;loops.off;2 border loops" "4;genus2.off;genus 2")
     list(GET row 0 status)
     list(GET row 1 name)
@@ -291,6 +291,13 @@ if(PART STREQUAL bad_input)
     run(${status} "${message}" ${FIT_MESH} ${in}/${name} -o ${WORK}/out/fit --samples 5)
     run(${status} "${message}" ${FIT_MESH} ${in}/${name} -o ${WORK}/existing)
   endforeach()
+  # What cannot change the object is mended without being asked.
+  run(0 "" ${MAP_MESH} ${in}/orientation.off -o ${WORK}/turned.ply --metrics ${WORK}/turned.json)
+  file(READ ${WORK}/turned.json metrics)
+  string(JSON turned GET "${metrics}" repair flipped)
+  if(turned EQUAL 0)
+    message(SEND_ERROR "no face of orientation.off was turned over")
+  endif()
   # A mesh without extent can be mapped, but there is no diagonal to measure a fit by.
   run(4 "coincide" ${FIT_MESH} ${in}/point.off -o ${WORK}/out/fit)
   holds(out)
@@ -309,7 +316,7 @@ if(PART STREQUAL usage)
     run(2 "${message}|INPUT" ${MAP_MESH} ${row})
     run(2 "${message}|INPUT" ${FIT_MESH} ${row})
   endforeach()
-  foreach(row "--area-floor;0;above 0" "--effort;much;fast, default, quality" "--close-borders;some;none, inner"
+  foreach(row "--area-floor;0;above 0" "--effort;much;fast, default, quality" "--close-borders;some;none, small, inner" "--weld;much;none, or a number"
       "--energy;none;symmetric_dirichlet, amips"
       "--lambda;0;positive" "--lambda;x;lambda" "--metrics;${WORK}/none/m.json;m.json"
       "--metrics;${WORK}/o;another result is written to" "--metrics;${WORK}/./o;another result is written to"

@@ -55,6 +55,8 @@ private:
     line("mesh", count(map_["vertices"], "vertices") + ", " + count(map_["faces"], "faces") + ", " +
                    (loops == 0 ? "closed" : count(loops, loops == 1 ? "border" : "borders")) + ", genus " +
                    count(input["genus"]) + (input["inward_oriented"] ? ", inward oriented" : ""));
+    if (metrics_.contains("repair") && metrics_["repair"].contains("sentence"))
+      line("repaired", metrics_["repair"]["sentence"]);
     if (const int unused = input["isolated_vertices"]; unused > 0)
       line("left out", count(unused, unused == 1 ? "vertex" : "vertices") + " of no face");
     line("map", "onto the " + map_["atlas"].get<std::string>() + ", one to one by proof: " +

@@ -162,6 +162,7 @@ int write(Job& job, const Map& map, const Surface& surface, const SM::Fit_report
   const bool has_reached = metrics_of_fit["tolerance_reached"], is_quiet = job.options.get<bool>("quiet");
   Json metrics;
   metrics["input"] = metrics_of_input(job.input, map);
+  metrics["repair"] = metrics_of_repair(job.input.repair);
   metrics["map"] = metrics_of_map(map, job.watch);
   if (is_paper(job.options)) metrics["partition"] = job.partition;
   metrics["surface"] = std::move(metrics_of_fit);
@@ -177,7 +178,7 @@ int write(Job& job, const Map& map, const Surface& surface, const SM::Fit_report
                            SM::parameters::subdivisions(subdivisions));
   });
   job.watch.time("write", [&] {
-    SM::write_map(job.folder.file("map.ply"), map);
+    SM::write_map(job.folder.file("map.ply"), map, SM::parameters::repair_report(std::cref(job.input.repair)));
     SM::write_surface(job.folder.file("surface.json"), surface);
     if (job.request.samples > 0)
       SM::write_samples(job.folder.file("samples.csv"), surface,

@@ -116,6 +116,7 @@ int main(int argc, char** argv)
       [&](const auto& map) -> int {
         Json metrics;
         metrics["input"] = metrics_of_input(input, map);
+        metrics["repair"] = metrics_of_repair(input.repair);
         metrics["map"] = metrics_of_map(map, watch);
         metrics["parameters"] = {{"method", options.get<std::string>("method")},
                                  {"energy", options.get<std::string>("energy")},
@@ -131,7 +132,9 @@ int main(int argc, char** argv)
         if (options.has("report"))
           watch.time("report",
                      [&] { write_page(file("report"), completed(metrics, "map_mesh", watch), map); });
-        watch.time("write", [&] { SM::write_map(file("output"), map); });
+        watch.time("write", [&] {
+          SM::write_map(file("output"), map, SM::parameters::repair_report(std::cref(input.repair)));
+        });
         metrics = completed(std::move(metrics), "map_mesh", watch);
         if (options.has("metrics")) write_metrics(file("metrics"), metrics);
         throw_if_interrupted();

@@ -9,8 +9,10 @@
 
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <system_error>
 
 namespace tools {
@@ -61,8 +63,53 @@ Input read_input(const Command_line& options)
 {
   Input input;
   input.file = options.get<std::string>("input");
-  input.topology = SM::read_mesh(input.file, input.mesh);
+  input.topology = SM::read_mesh(
+    input.file, input.mesh,
+    SM::parameters::repair_options(repair_options(options)).repair_report(std::ref(input.repair)));
   return input;
+}
+
+SM::Repair_options repair_options(const Command_line& options)
+{
+  SM::Repair_options o = options.get<bool>("repair") ? SM::repair_everything() : SM::Repair_options();
+  if (!options.has("weld")) return o;
+  const std::string text = options.get<std::string>("weld");
+  std::istringstream in(text);
+  double distance = -1;
+  const bool is_number = in >> distance && in.peek() == std::istringstream::traits_type::eof();
+  if (text != "none")
+    options.require(is_number && distance >= 0 && std::isfinite(distance), "weld",
+                    "none, or a number from 0 on");
+  if (text == "none")
+    o.weld_distance.reset();
+  else
+    o.weld_distance = distance;
+  return o;
+}
+
+Json metrics_of_repair(const SM::Repair_report& r)
+{
+  Json json, places = Json::object();
+  const auto tell = [&](const char* name, const SM::Located_elements& e) {
+    json[name] = e.count;
+    for (const Eigen::Vector3d& p : e.places)
+      places[name].push_back({number(p.x()), number(p.y()), number(p.z())});
+  };
+  tell("welded", r.welded);
+  tell("joined_corners", r.joined_corners);
+  tell("dropped_degenerate", r.dropped_degenerate);
+  tell("dropped_duplicate", r.dropped_duplicate);
+  tell("dropped_non_finite", r.dropped_non_finite);
+  tell("flipped", r.flipped);
+  tell("cut_edges", r.cut_edges);
+  tell("cut_vertices", r.cut_vertices);
+  tell("split_edges", r.split_edges);
+  tell("dropped_debris", r.dropped_debris);
+  json["dropped_debris_faces"] = r.dropped_debris_faces;
+  json["unused_vertices"] = r.unused_vertices;
+  if (r.has_changes()) json["sentence"] = r.sentence();
+  json["places"] = std::move(places); // the first ones of each kind
+  return json;
 }
 
 int run(const char* name, const std::function<int()>& program)
@@ -114,9 +161,10 @@ void require_not_input(const Command_line& options, const std::string& output)
 SM::Close_borders close_borders(const Command_line& options)
 {
   const std::string which = options.get<std::string>("close-borders");
-  return which == "inner" ? SM::Close_borders::INNER
-         : which == "all" ? SM::Close_borders::ALL
-                          : SM::Close_borders::NONE;
+  return which == "inner"                              ? SM::Close_borders::INNER
+         : which == "small" && !options.has("corners") ? SM::Close_borders::SMALL
+         : which == "all"                              ? SM::Close_borders::ALL
+                                                       : SM::Close_borders::NONE;
 }
 
 SM::Any_mesh_map<Mesh> map_by_partition(const Command_line& options, const Input& input, Json& how,

@@ -13,6 +13,8 @@
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
+#include <CGAL/Simple_manifolds/repair/Repair_options.h>
+#include <CGAL/Simple_manifolds/repair/Repair_report.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -134,8 +136,12 @@ private:
 struct Input {
   std::string file;
   Mesh mesh;
-  SM::Mesh_topology topology;
+  SM::Mesh_topology topology; // of the repaired mesh
+  SM::Repair_report repair;   // what was done to the file's one
 };
+
+/// What --repair and --weld ask for.
+SM::Repair_options repair_options(const Command_line& options);
 
 Input read_input(const Command_line& options);
 
@@ -152,6 +158,9 @@ inline bool is_paper(const Command_line& options) { return options.get<std::stri
 /// The map of --method paper; `how` receives how it came to be.
 SM::Any_mesh_map<Mesh> map_by_partition(const Command_line& options, const Input& input, Json& how,
                                         Progress& progress);
+
+/// What was done to a mesh: a count for each step, and where the first ones were done.
+Json metrics_of_repair(const SM::Repair_report& report);
 
 /// A number for JSON, which knows no infinity.
 inline Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }

@@ -37,6 +37,13 @@ std::vector<Mesh::Vertex_index> longest_border(const Mesh& mesh)
   return longest;
 }
 
+// Whether a vertex of the repaired mesh has this number in the file.
+bool is_numbered(const SM::Input_indices& input, Mesh::Vertex_index v, std::size_t number)
+{
+  return input.vertices.empty() ? std::size_t(v) == number
+                                : input.vertices[v] == static_cast<long long>(number);
+}
+
 } // namespace
 
 std::vector<Mesh::Vertex_index> corners(const Command_line& options, const Input& input)
@@ -62,10 +69,12 @@ std::vector<Mesh::Vertex_index> corners(const Command_line& options, const Input
   const std::vector<Mesh::Vertex_index> border = longest_border(input.mesh);
   std::vector<std::size_t> places;
   for (const std::size_t number : numbers) {
-    if (number >= input.mesh.number_of_vertices())
+    if (input.repair.input.vertices.empty() && number >= input.mesh.number_of_vertices())
       refuse("there is no vertex " + std::to_string(number) + ", the mesh has " +
              std::to_string(input.mesh.number_of_vertices()) + ", numbered from 0");
-    const auto place = std::find(border.begin(), border.end(), Mesh::Vertex_index(Mesh::size_type(number)));
+    const auto place = std::find_if(border.begin(), border.end(), [&](Mesh::Vertex_index v) {
+      return is_numbered(input.repair.input, v, number);
+    });
     if (place == border.end()) refuse("vertex " + std::to_string(number) + " is not on the border");
     places.push_back(std::size_t(place - border.begin()));
   }

@@ -21,6 +21,7 @@
 #include <CGAL/Simple_manifolds/atlas/canonical_surfaces.h>
 #include <CGAL/Simple_manifolds/correspondence/Any_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
+#include <CGAL/Simple_manifolds/repair/Repair_report.h>
 
 #include <cmath>
 #include <cstddef>
@@ -162,8 +163,11 @@ inline Any_map read_any_map(const std::string& file, Map_file_part* part = nullp
 
 template <class Atlas>
 void write_map_file(const std::string& file, const Manifold_map<Atlas>& map, bool is_binary,
-                    const Map_file_part& part = Map_file_part())
+                    const Map_file_part& part = Map_file_part(),
+                    const Repair_report& repair = Repair_report())
 {
+  const std::vector<int> input_vertices =
+    map.input_indices().within(repair.input).vertices; // empty: 0, 1, 2, ...
   Atomic_file output(file);
   Ply_rows ply(output.stream(), is_binary);
   ply.header("comment simple_manifolds map");
@@ -180,7 +184,8 @@ void write_map_file(const std::string& file, const Manifold_map<Atlas>& map, boo
     ply.header("comment component " + std::to_string(part.number) + " of " + std::to_string(part.count) +
                ' ' + name);
   }
-  const bool has_left_out = !map.input_indices().vertices.empty();
+  if (repair.has_changes()) ply.header("comment repaired");
+  const bool has_left_out = !input_vertices.empty();
   if (has_left_out)
     ply.header(
       "comment input_vertex is the number of a vertex in the input, -1 of an added one; those that are "
@@ -197,7 +202,7 @@ void write_map_file(const std::string& file, const Manifold_map<Atlas>& map, boo
   for (std::size_t v = 0; v < map.number_of_vertices(); ++v) {
     ply.values(map.point(v));
     ply.values(map.domain_point(v));
-    if (has_left_out) ply.value(map.input_vertex(v));
+    if (has_left_out) ply.value(v < input_vertices.size() ? input_vertices[v] : -1);
     ply.end_row();
   }
   write_ply_triangles(ply, map.faces(), [&](int f) { ply.value(map.chart(f)); });
@@ -219,14 +224,19 @@ void write_map_file(const std::string& file, const Manifold_map<Atlas>& map, boo
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{use_binary_mode} \cgalParamDescription{whether the file is binary, not text}
 ///     \cgalParamType{`bool`} \cgalParamDefault{`true`} \cgalParamNEnd
+///   \cgalParamNBegin{repair_report} \cgalParamDescription{what `read_mesh()` has told of the mesh that the map is of:
+///     then `input_vertex` are numbers of the file that it has read}
+///     \cgalParamType{`Repair_report`} \cgalParamDefault{of a mesh without repairs} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
 template <class Atlas, class NamedParameters = parameters::Default_named_parameters>
 void write_map(const std::string& file, const Manifold_map<Atlas>& map,
                const NamedParameters& np = parameters::default_values())
 {
-  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "use_binary_mode");
-  internal::write_map_file(file, map, internal::parameter(np, CGAL::internal_np::use_binary_mode, true));
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "use_binary_mode, repair_report");
+  internal::write_map_file(file, map, internal::parameter(np, CGAL::internal_np::use_binary_mode, true),
+                           internal::Map_file_part(),
+                           internal::parameter(np, internal_np::repair_report, Repair_report()));
 }
 
 /// \ingroup PkgSimpleManifoldsIO

@@ -46,6 +46,7 @@ enum class Effort {
 /// the map that `Manifold_map::is_virtual()` tells from the others; surfaces are never fitted to them.
 enum class Close_borders {
   NONE,  ///< none
+  SMALL, ///< those whose cones have at most a thousandth of the area of the mesh: flaws, not openings
   INNER, ///< all but the longest: a disk with holes becomes a disk
   ALL    ///< all: a nearly closed mesh becomes a closed one
 };

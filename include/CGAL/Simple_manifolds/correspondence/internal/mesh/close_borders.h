@@ -28,6 +28,41 @@ inline double length_of_loop(const std::vector<Eigen::Vector3d>& points, const s
   return length;
 }
 
+inline Eigen::Vector3d centre_of_loop(const std::vector<Eigen::Vector3d>& points,
+                                      const std::vector<int>& loop)
+{
+  Eigen::Vector3d centre(0, 0, 0);
+  for (int v : loop) centre += points[v] / static_cast<double>(loop.size());
+  return centre;
+}
+
+// Whether the cone over a loop has at most a thousandth of the area of the mesh.
+class Small_loops {
+public:
+  explicit Small_loops(const Mesh_arrays& a) : points_(a.points), scale_(unit_scale(a.points))
+  {
+    for (const Triangle& t : a.triangles) area_ += area(points_[t[0]], points_[t[1]], points_[t[2]]);
+  }
+
+  bool operator()(const std::vector<int>& loop) const
+  {
+    const Eigen::Vector3d centre = centre_of_loop(points_, loop);
+    double cone = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      cone += area(points_[loop[i]], points_[loop[(i + 1) % loop.size()]], centre);
+    return cone <= 1e-3 * area_;
+  }
+
+private:
+  double area(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const
+  {
+    return (scale_ * b - scale_ * a).cross(scale_ * c - scale_ * a).norm() / 2;
+  }
+
+  const std::vector<Eigen::Vector3d>& points_;
+  double scale_, area_ = 0;
+};
+
 // Closes border loops by cones over them: virtual vertices at the centres of the loops, after the others, and
 // virtual faces, after the others. INNER leaves the longest loop open.
 inline void close_borders(Mesh_arrays& a, Close_borders which)
@@ -40,14 +75,16 @@ inline void close_borders(Mesh_arrays& a, Close_borders which)
     loops.erase(std::max_element(loops.begin(), loops.end(), [&](const auto& l, const auto& m) {
       return length_of_loop(a.points, l, scale) < length_of_loop(a.points, m, scale);
     }));
+  if (which == Close_borders::SMALL) {
+    const Small_loops is_small(a);
+    loops.erase(std::remove_if(loops.begin(), loops.end(), [&](const auto& l) { return !is_small(l); }),
+                loops.end());
+  }
   for (const std::vector<int>& loop : loops) {
     const int apex = static_cast<int>(a.points.size());
-    Eigen::Vector3d centre(0, 0, 0);
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      centre += a.points[loop[i]] / static_cast<double>(loop.size());
+    for (std::size_t i = 0; i < loop.size(); ++i)
       a.triangles.push_back({loop[(i + 1) % loop.size()], loop[i], apex});
-    }
-    a.points.push_back(centre);
+    a.points.push_back(centre_of_loop(a.points, loop));
     a.number_of_virtual_faces += loop.size();
     a.topology.vertices += 1;
     a.topology.edges += loop.size();
