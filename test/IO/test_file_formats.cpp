@@ -607,7 +607,7 @@ TEST_CASE("edges without length are said to be due to numbers of 32 bits, where 
 
 #ifdef CGAL_SIMPLE_MANIFOLDS_USE_ASSIMP
 
-TEST_CASE("glTF, COLLADA and 3MF are read with assimp")
+TEST_CASE("glTF and COLLADA are read with assimp")
 {
   const std::string buffer = base_64(bytes_of(numbers) + bytes_of(indices));
   const auto gltf = [&](const std::string& node) {
@@ -655,57 +655,14 @@ TEST_CASE("glTF, COLLADA and 3MF are read with assimp")
                     Catch::Matchers::ContainsSubstring("assimp cannot read it"));
 }
 
-#ifdef CGAL_SIMPLE_MANIFOLDS_USE_ZLIB
+#endif
 
-TEST_CASE("3MF is read with assimp")
+TEST_CASE("3MF is refused")
 {
-  // An archive of files that are not compressed.
-  SM::internal::Byte_buffer archive, directory;
-  std::uint32_t files = 0;
-  const auto add = [&](const std::string& name, const std::string& contents) {
-    const auto begin = std::uint32_t(archive.size()), size = std::uint32_t(contents.size());
-    SM::internal::Byte_buffer entry; // common to the file and the directory
-    entry.add(std::string("\x0a\0\0\0\0\0\0\0\0\0", 10));
-    entry.add(std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(contents.data()), size)));
-    for (std::uint32_t n : {size, size, std::uint32_t(name.size())}) entry.add(n); // no further field
-    archive.add(std::string("PK\3\4") + entry.bytes() + name + contents);
-    directory.add(std::string("PK\1\2\x0a\0", 6) + entry.bytes() + std::string(10, '\0'));
-    directory.add(begin);
-    directory.add(name);
-    ++files;
-  };
-  const std::string schemas = "http://schemas.openxmlformats.org/package/2006/",
-                    xml = "<?xml version=\"1.0\"?>\n",
-                    parts = "http://schemas.microsoft.com/3dmanufacturing/";
-  add("[Content_Types].xml", xml + "<Types xmlns=\"" + schemas +
-                               "content-types\"><Default Extension=\"model\" ContentType=\"application/" +
-                               "vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>");
-  add("_rels/.rels", xml + "<Relationships xmlns=\"" + schemas +
-                       "relationships\"><Relationship Target=\"/3D/m.model\" " + "Id=\"r\" Type=\"" + parts +
-                       "2013/01/3dmodel\"/></Relationships>");
-  std::string vertices, triangles;
-  for (std::size_t i = 0; i < 12; i += 3) {
-    const auto part = [&](const char* key, auto value) {
-      return std::string(" ") + key + "=\"" + std::to_string(int(value)) + '"';
-    };
-    vertices +=
-      "<vertex" + part("x", numbers[i]) + part("y", numbers[i + 1]) + part("z", numbers[i + 2]) + "/>";
-    triangles +=
-      "<triangle" + part("v1", indices[i]) + part("v2", indices[i + 1]) + part("v3", indices[i + 2]) + "/>";
-  }
-  add("3D/m.model",
-      xml + "<model unit=\"millimeter\" xmlns=\"" + parts + "core/2015/02\"><resources><object id=\"1\">" +
-        "<mesh><vertices>" + vertices + "</vertices><triangles>" + triangles +
-        "</triangles></mesh></object></resources><build><item objectid=\"1\"/></build></model>");
-  const auto begin = std::uint32_t(archive.size()), size = std::uint32_t(directory.size());
-  archive.add(directory.bytes() + std::string("PK\5\6\0\0\0\0", 8));
-  archive.add(files | files << 16);
-  for (std::uint32_t n : {size, begin}) archive.add(n);
-  archive.add(std::string(2, '\0'));
-  check_tetrahedra({{"a.3mf", archive.bytes(), {}}});
+  const Temporary_folder folder;
+  for (const char* name : {"a.3mf", "a.stl"})
+    CHECK_THROWS_WITH(SM::internal::read_file_mesh(folder.write(name, "PK\3\4" + std::string(40, '\1'))),
+                      Catch::Matchers::ContainsSubstring("3MF is not read"));
 }
-
-#endif
-#endif
 
 } // namespace test_file_formats

@@ -131,11 +131,6 @@ std::string ply(const std::string& vertices, const std::string& faces, const std
 const std::vector<Case>& bad_meshes()
 {
   using E = Error_code;
-#ifdef CGAL_SIMPLE_MANIFOLDS_USE_ASSIMP
-  constexpr E of_archive = E::syntax_error;
-#else
-  constexpr E of_archive = E::unsupported_format;
-#endif
   static const std::vector<Case> cases = {
     // no mesh at all
     {"empty", "a.off", "", E::syntax_error, {"empty"}},
@@ -144,8 +139,8 @@ const std::vector<Case>& bad_meshes()
     {"a picture called PLY", "a.ply", png, E::syntax_error, {"no PLY"}},
     {"a picture called OBJ", "a.obj", png, E::syntax_error, {"neither a vertex nor a face"}},
     {"a picture called STL", "a.stl", png, E::syntax_error, {"no STL"}},
-    {"an archive called OFF", "a.off", zip, of_archive, {"assimp"}},
-    {"an archive called PLY", "a.ply", zip, of_archive, {"assimp"}},
+    {"an archive called OFF", "a.off", zip, E::unsupported_format, {"3MF"}},
+    {"an archive called PLY", "a.ply", zip, E::unsupported_format, {"3MF"}},
     {"a page called OFF", "a.off", html, E::syntax_error, {"<!DOCTYPE"}},
     {"a page called OBJ", "a.obj", html, E::syntax_error, {"neither a vertex nor a face"}},
     {"a page called STL", "a.stl", html, E::syntax_error, {"no STL"}},

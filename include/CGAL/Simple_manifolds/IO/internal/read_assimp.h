@@ -115,19 +115,12 @@ private:
     uv_{"uv", 2, Scalar_type::FLOAT32};
 };
 
-// Whether assimp reads files with this extension, which has a point.
-inline bool is_format_of_assimp(const std::string& extension)
-{
-  return extension.size() > 1 && aiIsExtensionSupported(extension.c_str()) == AI_TRUE;
-}
-
 // Any file that assimp reads. Some formats refer to other files, which are found beside `file`; but if the bytes are
 // given, they are what is read.
 inline File_mesh read_assimp(const std::string& file, std::string_view bytes, const std::string& extension)
 {
   // Formats whose corners have their own positions, normals and so on come with a vertex for each corner.
-  const bool has_vertices =
-    is_same_word(extension, ".glb") || is_same_word(extension, ".gltf") || is_same_word(extension, ".3mf");
+  const bool has_vertices = is_same_word(extension, ".glb") || is_same_word(extension, ".gltf");
   const unsigned flags =
     aiProcess_ValidateDataStructure | (has_vertices ? 0u : unsigned(aiProcess_JoinIdenticalVertices));
   const aiScene* const imported = bytes.empty()

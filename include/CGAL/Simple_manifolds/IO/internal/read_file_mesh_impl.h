@@ -41,7 +41,7 @@ namespace Simple_manifolds {
 namespace internal {
 
 inline constexpr const char* formats_that_are_read =
-  "OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer; with assimp also glTF, 3MF, COLLADA and others";
+  "OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer; with assimp also glTF and COLLADA";
 
 inline const char* name_of(File_format format)
 {
@@ -115,11 +115,12 @@ CGAL_SIMPLE_MANIFOLDS_INLINE File_mesh read_file_mesh(const std::string& file)
   const bool is_compressed = is_gzip(bytes);
   if (is_compressed) bytes = inflated(file, bytes);
   const File_format of_contents = format_of_contents(bytes);
-  File_format format = of_contents == File_format::UNKNOWN ? of_name : of_contents;
+  const File_format format = of_contents == File_format::UNKNOWN ? of_name : of_contents;
   const std::string extension = extension_of(file);
-#ifdef CGAL_SIMPLE_MANIFOLDS_USE_ASSIMP
-  if (format == File_format::UNKNOWN && is_format_of_assimp(extension)) format = File_format::OTHER;
-#endif
+  // Of what assimp could read, too, only what it has been seen to survive: damaged or unusual 3MF ends the program in it.
+  if (format == File_format::OTHER && extension_of_contents(bytes, extension) == ".3mf")
+    throw IO_error(Error_code::unsupported_format, file,
+                   "3MF is not read: save the mesh as STL, OBJ, PLY or glTF");
   if (format == File_format::UNKNOWN)
     throw IO_error(Error_code::unsupported_format, file,
                    "neither the extension \"" + extension +
@@ -134,7 +135,7 @@ CGAL_SIMPLE_MANIFOLDS_INLINE File_mesh read_file_mesh(const std::string& file)
              : read_assimp(file, std::string_view(), extension);
 #else
     throw IO_error(Error_code::unsupported_format, file,
-                   "glTF, 3MF and COLLADA are read with assimp, and this program was built without it");
+                   "glTF and COLLADA are read with assimp, and this program was built without it");
 #endif
   if (of_name != File_format::UNKNOWN && of_name != format)
     mesh.warn(Read_warning::OTHER_FORMAT, std::string("it is ") + name_of(format));
