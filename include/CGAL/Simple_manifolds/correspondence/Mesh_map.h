@@ -74,8 +74,7 @@ public:
   /// A map of this mesh that was made elsewhere, for example read from a file.
   /// \throw Topology_error  `element_not_mapped`: the map has vertices or faces that the mesh has not
   Mesh_map(const FaceListGraph& mesh, Map_on_arrays map)
-    : Mesh_map(std::move(map), std::make_shared<const internal::Mesh_elements<FaceListGraph>>(
-                                 mesh, internal::Polygon_soup(mesh)))
+    : Mesh_map(std::move(map), std::make_shared<const internal::Mesh_elements<FaceListGraph>>(mesh))
   {
     require_same_mesh();
   }

@@ -140,7 +140,7 @@ Component_mesh_maps<FaceListGraph> map_mesh_parts(bool is_parallel, const FaceLi
                                                   const NamedParameters& np, const Method& method)
 {
   const Polygon_soup soup(mesh);
-  const auto elements = std::make_shared<const Mesh_elements<FaceListGraph>>(mesh, soup);
+  const auto elements = std::make_shared<const Mesh_elements<FaceListGraph>>(mesh);
   const auto points = points_of_mesh(
     mesh, parameter(np, CGAL::internal_np::vertex_point, get_const_property_map(CGAL::vertex_point, mesh)));
   return map_parts<Any_mesh_map<FaceListGraph>>(

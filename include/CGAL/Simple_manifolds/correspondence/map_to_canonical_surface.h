@@ -76,9 +76,10 @@ Any_mesh_map<FaceListGraph> with_mesh(Any_map any_map,
 template <class ConcurrencyTag, class FaceListGraph, class NamedParameters>
 Any_mesh_map<FaceListGraph> map_to_canonical_surface(const FaceListGraph& mesh, const NamedParameters& np)
 {
-  auto [elements, arrays] = numbered_mesh(mesh, np);
-  return with_mesh(map_arrays_to_canonical_surface<ConcurrencyTag>(elements->vertex, std::move(arrays), np),
-                   elements);
+  auto [vertex, arrays] = numbered_mesh(mesh, np);
+  Any_map map = map_arrays_to_canonical_surface<ConcurrencyTag>(vertex, std::move(arrays), np);
+  return with_mesh(std::move(map),
+                   std::make_shared<const Mesh_elements<FaceListGraph>>(mesh, std::move(vertex)));
 }
 
 } // namespace internal

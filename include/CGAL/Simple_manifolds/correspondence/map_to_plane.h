@@ -14,6 +14,8 @@
 
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_mesh.h>
 
+#include <utility>
+
 /// \file
 
 namespace CGAL {
@@ -98,8 +100,9 @@ Mesh_map<FaceListGraph, Plane_atlas> map_to_plane(const FaceListGraph& mesh,
   CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, corners, v,
                                         internal::accept<internal::Vertex_of<FaceListGraph>>(v), "vertices");
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
-  auto [elements, arrays] = internal::numbered_mesh(mesh, np);
-  return {internal::map_arrays_to_plane<ConcurrencyTag>(elements->vertex, std::move(arrays), np), elements};
+  auto [vertex, arrays] = internal::numbered_mesh(mesh, np);
+  auto map = internal::map_arrays_to_plane<ConcurrencyTag>(vertex, std::move(arrays), np);
+  return internal::map_of_mesh(std::move(map), mesh, std::move(vertex));
 }
 
 /// \ingroup PkgSimpleManifoldsCorrespondence

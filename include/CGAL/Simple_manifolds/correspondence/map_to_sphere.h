@@ -14,6 +14,8 @@
 
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_mesh.h>
 
+#include <utility>
+
 /// \file
 
 namespace CGAL {
@@ -117,8 +119,9 @@ Mesh_map<FaceListGraph, Sphere_atlas> map_to_sphere(const FaceListGraph& mesh,
   CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, landmarks, l,
                                         (void(l.vertex), l.point.allFinite() && l.weight >= 0), "Landmark");
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
-  const auto [elements, arrays] = internal::numbered_mesh(mesh, np);
-  return {internal::map_arrays_to_sphere<ConcurrencyTag>(elements->vertex, arrays, np), elements};
+  auto [vertex, arrays] = internal::numbered_mesh(mesh, np);
+  auto map = internal::map_arrays_to_sphere<ConcurrencyTag>(vertex, arrays, np);
+  return internal::map_of_mesh(std::move(map), mesh, std::move(vertex));
 }
 
 /// \ingroup PkgSimpleManifoldsCorrespondence

@@ -84,8 +84,9 @@ Mesh_map<FaceListGraph, Torus_atlas> map_to_torus(const FaceListGraph& mesh,
   CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, landmarks, l,
                                         (void(l.vertex), l.point.allFinite() && l.weight >= 0), "Landmark");
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
-  const auto [elements, arrays] = internal::numbered_mesh(mesh, np);
-  return {internal::map_arrays_to_torus<ConcurrencyTag>(elements->vertex, arrays, np), elements};
+  auto [vertex, arrays] = internal::numbered_mesh(mesh, np);
+  auto map = internal::map_arrays_to_torus<ConcurrencyTag>(vertex, arrays, np);
+  return internal::map_of_mesh(std::move(map), mesh, std::move(vertex));
 }
 
 /// \ingroup PkgSimpleManifoldsCorrespondence

@@ -92,6 +92,7 @@ public:
   {
     const auto index = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
     for (auto v : vertices(mesh)) put(index, v, number_of_vertices_++);
+    reserve(num_faces(mesh), num_halfedges(mesh));
     start_.push_back(0);
     for (auto f : faces(mesh)) {
       for (auto h : halfedges_around_face(halfedge(f, mesh), mesh)) {
@@ -110,6 +111,7 @@ public:
                const std::vector<int>& local)
     : number_of_vertices_(static_cast<int>(vertices.size())), names_(vertices, faces)
   {
+    reserve(faces.size(), 3 * faces.size());
     start_.push_back(0);
     for (const int f : faces) {
       for (int h = whole.first(f); h <= whole.last(f); ++h) {
@@ -139,6 +141,15 @@ public:
   const Element_names& names() const { return names_; }
 
 private:
+  // Arrays that grow leave holes in the memory, which stay while the mesh is mapped.
+  void reserve(std::size_t faces, std::size_t half_edges)
+  {
+    start_.reserve(faces + 1);
+    source_.reserve(half_edges);
+    face_.reserve(half_edges);
+    border_.reserve(half_edges);
+  }
+
   int number_of_vertices_ = 0;
   std::vector<int> source_, face_, start_;
   std::vector<char> border_;

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -296,8 +297,10 @@ Any_mesh_map<FaceListGraph> map_by_partition(const FaceListGraph& mesh,
     NamedParameters, "vertex_point_map, close_borders, projection_weights, partition_report, visitor");
   CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, partition_report);
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
-  const auto [elements, arrays] = internal::numbered_mesh(mesh, np);
-  return internal::with_mesh(internal::map_by_partition(arrays, np), elements);
+  auto [vertex, arrays] = internal::numbered_mesh(mesh, np);
+  Any_map map = internal::map_by_partition(arrays, np);
+  return internal::with_mesh(std::move(map), std::make_shared<const internal::Mesh_elements<FaceListGraph>>(
+                                               mesh, std::move(vertex)));
 }
 
 } // namespace Simple_manifolds

@@ -11,12 +11,15 @@
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/internal/Polygon_soup.h>
 
+#include <CGAL/boost/graph/properties.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -80,19 +83,23 @@ private:
 // The vertices and faces of a mesh in iteration order, as the soup of its polygons numbers them.
 template <class FaceListGraph>
 struct Mesh_elements {
-  Mesh_elements(const FaceListGraph& mesh, const Polygon_soup& soup)
-    : vertex(vertices(mesh)), face(faces(mesh))
+  using Vertices = Numbering<typename boost::graph_traits<FaceListGraph>::vertex_descriptor>;
+
+  explicit Mesh_elements(const FaceListGraph& mesh) : Mesh_elements(mesh, Vertices(vertices(mesh))) {}
+  Mesh_elements(const FaceListGraph& mesh, Vertices numbered) : vertex(std::move(numbered)), face(faces(mesh))
   {
+    const auto index = get(CGAL::dynamic_vertex_property_t<int>(), mesh);
+    for (std::size_t i = 0; i < vertex.size(); ++i) put(index, vertex[i], static_cast<int>(i));
     corners.reserve(face.size());
-    for (int f = 0; f < soup.number_of_faces(); ++f) {
-      const int h = soup.first(f);
-      corners.push_back(soup.last(f) == h + 2
-                          ? Triangle{soup.source(h), soup.source(h + 1), soup.source(h + 2)}
-                          : Triangle{-1, -1, -1});
+    for (auto f : faces(mesh)) {
+      const auto h = halfedge(f, mesh), h1 = next(h, mesh), h2 = next(h1, mesh);
+      const auto corner = [&](auto g) { return get(index, corner_vertex(g, mesh)); };
+      corners.push_back(next(h2, mesh) == h ? Triangle{corner(h), corner(h1), corner(h2)}
+                                            : Triangle{-1, -1, -1});
     }
   }
 
-  Numbering<typename boost::graph_traits<FaceListGraph>::vertex_descriptor> vertex;
+  Vertices vertex;
   Numbering<typename boost::graph_traits<FaceListGraph>::face_descriptor> face;
   std::vector<Triangle> corners; // of the faces that are triangles, as numbers; of the others -1
 };

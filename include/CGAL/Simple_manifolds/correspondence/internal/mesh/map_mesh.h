@@ -57,24 +57,31 @@ Mesh_arrays mesh_arrays(const Soup& soup, const std::vector<Eigen::Vector3d>& po
   return a;
 }
 
-// The elements of a mesh, and the mesh as arrays.
+// The vertices of a mesh, and the mesh as arrays. Its other elements are not needed, and take memory, while it is mapped.
 template <class FaceListGraph>
 struct Numbered_mesh {
-  std::shared_ptr<const Mesh_elements<FaceListGraph>> elements;
+  typename Mesh_elements<FaceListGraph>::Vertices vertex;
   Mesh_arrays arrays;
 };
 
 template <class FaceListGraph, class NamedParameters>
 Numbered_mesh<FaceListGraph> numbered_mesh(const FaceListGraph& mesh, const NamedParameters& np)
 {
-  const Polygon_soup soup(mesh);
-  auto elements = std::make_shared<const Mesh_elements<FaceListGraph>>(mesh, soup);
+  typename Mesh_elements<FaceListGraph>::Vertices vertex(vertices(mesh));
   Mesh_arrays arrays =
-    mesh_arrays(soup,
+    mesh_arrays(Polygon_soup(mesh),
                 points_of_mesh(mesh, parameter(np, CGAL::internal_np::vertex_point,
                                                get_const_property_map(CGAL::vertex_point, mesh))),
-                elements->vertex, np);
-  return {std::move(elements), std::move(arrays)};
+                vertex, np);
+  return {std::move(vertex), std::move(arrays)};
+}
+
+// A map of such arrays as one of the mesh.
+template <class FaceListGraph, class Atlas>
+Mesh_map<FaceListGraph, Atlas> map_of_mesh(Manifold_map<Atlas> map, const FaceListGraph& mesh,
+                                           typename Mesh_elements<FaceListGraph>::Vertices vertex)
+{
+  return {std::move(map), std::make_shared<const Mesh_elements<FaceListGraph>>(mesh, std::move(vertex))};
 }
 
 // The same of ranges of points and of triangles.

@@ -128,6 +128,7 @@ Mesh_arrays mesh_to_triangles(const Soup& soup, const std::vector<Eigen::Vector3
 
   arrays.index.reserve(points.size());
   arrays.points.reserve(points.size());
+  arrays.input.vertices.reserve(points.size());
   std::vector<char> used(points.size(), false);
   for (int h = 0; h < soup.number_of_half_edges(); ++h) used[soup.source(h)] = true;
   for (std::size_t v = 0; v < points.size(); ++v) {
