@@ -33,6 +33,10 @@ namespace internal {
 template <class Function>
 Any_map with_canonical_surface(const Mesh_topology& topology, const Function& f)
 {
+  if (!topology.is_connected())
+    throw Topology_error(Error_code::several_components,
+                         topology.sentence() +
+                           ": a canonical surface is connected; map_components() maps each component");
   std::optional<Any_map> map;
   const auto call = [&](auto type) {
     if constexpr (decltype(type)::Atlas::is_closed)
@@ -41,15 +45,11 @@ Any_map with_canonical_surface(const Mesh_topology& topology, const Function& f)
       require_disk(topology);
     map.emplace(f(type));
   };
-  // A mesh in pieces or with holes is refused by the surface that it would have otherwise.
+  // A mesh with holes is refused by the surface that it would have otherwise.
   const long genus = topology.is_closed() ? topology.genus : 0;
-  if (!Canonical_surfaces::visit_topology(topology.is_closed(), genus, call)) {
-    if (!topology.is_connected())
-      throw Topology_error(Error_code::several_components,
-                           topology.sentence() + ": a canonical surface is connected");
+  if (!Canonical_surfaces::visit_topology(topology.is_closed(), genus, call))
     throw Topology_error(Error_code::wrong_genus,
                          topology.sentence() + ": only genus 0 and 1 have a canonical surface");
-  }
   return std::move(*map);
 }
 

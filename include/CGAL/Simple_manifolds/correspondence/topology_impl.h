@@ -56,7 +56,9 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void require_disk(const Mesh_topology& topology)
   };
   if (!topology.is_connected()) fail(Error_code::several_components, "is connected");
   if (topology.is_closed()) fail(Error_code::no_border, "has a border");
-  if (topology.border_loops != 1) fail(Error_code::several_border_loops, "has one border loop");
+  if (topology.border_loops != 1)
+    fail(Error_code::several_border_loops, "has one border loop; Close_borders::INNER closes all but the "
+                                           "longest (in programs: --close-borders inner)");
   if (topology.genus != 0) fail(Error_code::wrong_genus, "has genus 0");
 }
 
