@@ -298,6 +298,22 @@ if(PART STREQUAL bad_input)
   if(turned EQUAL 0)
     message(SEND_ERROR "no face of orientation.off was turned over")
   endif()
+  # Faces that share no vertex, as exporters leave them, are welded; unless the user says that they are not to be.
+  file(WRITE ${in}/seams.off "OFF\n12 4 0\n0 0 0\n0 1 0\n1 0 0\n0 0 0\n1 0 0\n0 0 1\n0 0 0\n0 0 1\n0 1 0\n"
+    "1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n")
+  run(0 "" ${MAP_MESH} ${in}/seams.off -o ${WORK}/seams.ply --metrics ${WORK}/seams.json)
+  file(READ ${WORK}/seams.json metrics)
+  string(JSON welded GET "${metrics}" repair welded)
+  string(JSON atlas GET "${metrics}" map atlas)
+  if(NOT "${welded} ${atlas}" STREQUAL "8 sphere")
+    message(SEND_ERROR "seams.off: ${welded} points welded, mapped to the ${atlas}")
+  endif()
+  run(4 "4 components" ${MAP_MESH} ${in}/seams.off -o ${WORK}/out/map.ply --weld none)
+  # What changes the object is done when it is asked for: two tetrahedra that share an edge come apart.
+  file(WRITE ${in}/bridge.off "OFF\n6 8 0\n0 0 0\n0 0 1\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n3 0 2 1\n3 0 1 3\n3 0 3 2\n"
+    "3 1 2 3\n3 0 4 1\n3 0 1 5\n3 0 5 4\n3 1 4 5\n")
+  run(4 "1 edge belongs to more than two faces.*--repair" ${MAP_MESH} ${in}/bridge.off -o ${WORK}/out/map.ply)
+  run(4 "2 components" ${MAP_MESH} ${in}/bridge.off -o ${WORK}/out/map.ply --repair)
   # A mesh without extent can be mapped, but there is no diagonal to measure a fit by.
   run(4 "coincide" ${FIT_MESH} ${in}/point.off -o ${WORK}/out/fit)
   holds(out)

@@ -250,6 +250,16 @@ TEST_CASE("Meshes of other topology are refused with their numbers", "[map]")
   CHECK(code(read("hand.off"), plane) == SM::Error_code::no_border);
 }
 
+TEST_CASE("A refusal names what would help", "[map]")
+{
+  using Catch::Matchers::ContainsSubstring;
+  CHECK_THROWS_WITH(SM::map_to_canonical_surface(read("knot2.off")), ContainsSubstring("map_components()"));
+  for (const auto& map :
+       {+[](const Mesh& m) { SM::map_to_canonical_surface(m); }, +[](const Mesh& m) { SM::map_to_plane(m); }})
+    CHECK_THROWS_WITH(map(read("blade.off")), ContainsSubstring("Close_borders::INNER") &&
+                                                ContainsSubstring("--close-borders inner"));
+}
+
 TEST_CASE("When no map is one to one, the error says what the last certificate said", "[map]")
 {
   using Vector3d = Eigen::Vector3d;
@@ -430,6 +440,25 @@ TEST_CASE("Borders are closed virtually on demand: holes of a disk, and all of a
         }
     CHECK(virtual_vertices.count(num_vertices(ring)) == 1);
   }
+}
+
+TEST_CASE("Small borders are flaws and closed on demand, whatever the unit; larger ones are openings",
+          "[map]")
+{
+  const auto np = SM::parameters::close_borders(SM::Close_borders::SMALL);
+  for (const double unit : {1e-200, 1., 1e200}) {
+    Triangle_mesh mesh = grid_torus(40, 40, 0); // 3,200 faces of similar area
+    for (Eigen::Vector3d& p : mesh.points) p *= unit;
+    mesh.triangles.pop_back();
+    const Mesh flawed = surface_mesh(mesh);
+    const auto torus = SM::map_to_canonical_surface(flawed, np);
+    REQUIRE(torus.index() == SM::Any_map(SM::map_to_torus(surface_mesh(grid_torus(4, 4, 0)))).index());
+    std::visit([](const auto& map) { CHECK(map.number_of_virtual_faces() == 3); }, torus);
+    CHECK_THROWS_AS(SM::map_to_canonical_surface(flawed), SM::Topology_error);
+  }
+  Triangle_mesh open = grid_torus(8, 8, 0); // a face of 128
+  open.triangles.pop_back();
+  CHECK_THROWS_AS(SM::map_to_canonical_surface(surface_mesh(open), np), SM::Topology_error);
 }
 
 TEST_CASE("Weights give parts of the mesh more room", "[map]")

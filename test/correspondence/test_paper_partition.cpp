@@ -6,6 +6,7 @@
 
 #include <CGAL/Simple_manifolds/correspondence/criteria.h>
 #include <CGAL/Simple_manifolds/paper/map/map_by_partition.h>
+#include <CGAL/Simple_manifolds/paper/map/map_components_by_partition.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
@@ -375,6 +376,26 @@ TEST_CASE("The weights are an option, results are reproducible, and other genera
   CHECK_FALSE(is_same(first, map(Projection_weights::MEAN_VALUE)));
   CHECK_THROWS_AS(map_by_partition(read("double-torus-example.off")), Topology_error);
   CHECK_THROWS_AS(map_by_partition(read("blobby_3cc.off")), Topology_error);
+}
+
+TEST_CASE("Each component is mapped by itself, and its report says how", "[paper]")
+{
+  const Mesh ball = read("geosphere.off");
+  Mesh both = ball;
+  both += read("double-torus-example.off");
+  std::vector<Partition_report> reports;
+  const auto maps = map_components_by_partition(both, parameters::partition_reports(std::ref(reports)));
+  REQUIRE(maps.size() == 2);
+  REQUIRE(reports.size() == 2);
+  int mapped = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (!maps[k].has_value()) continue;
+    ++mapped;
+    CHECK(reports[k].attempts >= 1);
+    const auto alone = std::get<Mesh_map<Mesh, Sphere_atlas>>(map_by_partition(ball));
+    CHECK(std::get<Mesh_map<Mesh, Sphere_atlas>>(maps[k].value()).domain_points() == alone.domain_points());
+  }
+  CHECK(mapped == 1); // the other one has genus 2
 }
 
 } // namespace test_paper_partition
