@@ -42,6 +42,26 @@ exports("s.glb" ${surface} -o ${out}.glb --subdivisions 5 --texture curvature --
 
 run(0 ${EXPORT_SURFACE} --help)
 
+# Properties of the mesh go on, or are named; z points upwards unless it is y.
+file(WRITE ${WORK}/coloured.ply "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+  "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty float heat\n"
+  "element face 4\nproperty list uchar int vertex_indices\nend_header\n0 0 0 9 8 7 1\n1 0 0 9 8 7 2\n0 1 0 9 8 7 3\n"
+  "0 0 1 9 8 7 4\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")
+run(0 ${FIT_MESH} ${WORK}/coloured.ply -o ${WORK}/coloured --tolerance 0.3 --quiet)
+execute_process(COMMAND ${EXPORT_SURFACE} ${WORK}/coloured/map.ply -o ${WORK}/map.obj OUTPUT_VARIABLE said)
+if(NOT said MATCHES "images\n  dropped, without a place in the format: heat of vertices\n$")
+  message(SEND_ERROR "export_surface says of the properties:\n${said}")
+endif()
+foreach(up z y)
+  run(0 ${EXPORT_SURFACE} ${WORK}/coloured/surface.json --map ${WORK}/coloured/map.ply -o ${WORK}/${up}.glb --up ${up})
+  file(STRINGS ${WORK}/${up}.glb ${up} REGEX "_HEAT")
+endforeach()
+run(0 ${EXPORT_SURFACE} ${WORK}/coloured/surface.json --map ${WORK}/coloured/map.ply -o ${WORK}/default.glb)
+run(0 ${CMAKE_COMMAND} -E compare_files ${WORK}/default.glb ${WORK}/z.glb)
+if(NOT z OR NOT y OR z STREQUAL y)
+  message(SEND_ERROR "export_surface --up: the same file for y and z, or one without properties")
+endif()
+
 # What is refused could be written: the folder exists, and stays empty.
 file(MAKE_DIRECTORY ${WORK}/out)
 run(2 ${EXPORT_SURFACE} ${surface} -o ${out}.stl)
@@ -49,6 +69,7 @@ run(2 ${EXPORT_SURFACE} ${surface})
 run(2 ${EXPORT_SURFACE} ${surface} -o ${out}.obj --chord-error 0)
 run(2 ${EXPORT_SURFACE} ${surface} -o ${out}.vtp --texture normals)
 run(2 ${EXPORT_SURFACE} ${surface} -o ${out}.obj --texture wood)
+run(2 ${EXPORT_SURFACE} ${surface} -o ${out}.glb --up x)
 run(2 ${EXPORT_SURFACE} ${map} -o ${out}.obj --texture normals)
 run(2 ${EXPORT_SURFACE} ${map} --map ${map} -o ${out}.glb)
 run(2 ${EXPORT_SURFACE} ${surface} -o ${WORK}/none/s.glb) # there is no such folder

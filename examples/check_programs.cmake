@@ -1,4 +1,4 @@
-# cmake -DPART=good_input|corners|bad_input|usage -DMAP_MESH=<program> -DFIT_MESH=<program> -DMESHES=<folder>
+# cmake -DPART=good_input|properties|corners|bad_input|usage -DMAP_MESH=<program> -DFIT_MESH=<program> -DMESHES=<folder>
 #       -DWORK=<empty folder> -DHAS_REPORT=ON|OFF -P check_programs.cmake
 #
 # The contract of map_mesh and fit_mesh: exit status, one line on stderr with the numbers, and either all
@@ -167,6 +167,50 @@ if(PART STREQUAL good_input)
   run(1 "tolerance was not reached: rms error [0-9.e-]+ .*max [0-9.e-]+ .*written"
     ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/tight --tolerance 1e-12 --max-controls 2000 --quiet)
   holds(tight ${fitted})
+endif()
+
+# ---- What a file has beside its mesh ----------------------------------------------------------------
+if(PART STREQUAL properties)
+  # Colours go on, texcoord of corners has no place in a map, the points at the end are passed over.
+  file(WRITE ${WORK}/in.ply "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face 4\n"
+    "property list uchar int vertex_indices\nproperty list uchar float texcoord\nproperty int label\n"
+    "element edge 1\nproperty int v\nend_header\n0 0 0 9 8 7\n1 0 0 9 8 7\n0 1 0 9 8 7\n0 0 1 9 8 7\n"
+    "3 0 2 1 0 5\n3 0 1 3 0 6\n3 1 2 3 0 7\n3 2 0 3 0 8\n4\n")
+  foreach(program ${MAP_MESH} ${FIT_MESH})
+    set(output ${WORK}/fit)
+    set(options --tolerance 0.3)
+    set(files ${WORK}/fit/map.ply ${WORK}/fit/surface.ply)
+    set(metrics ${WORK}/fit/metrics.json)
+    if(program STREQUAL "${MAP_MESH}")
+      set(output ${WORK}/map.ply)
+      set(metrics ${WORK}/map.json)
+      set(options --refine --metrics ${metrics})
+      set(files ${WORK}/map.ply)
+    endif()
+    execute_process(COMMAND ${program} ${WORK}/in.ply -o ${output} ${options} OUTPUT_VARIABLE out ERROR_VARIABLE err)
+    foreach(line "warning +1 element that is no face is skipped: edge" "properties +colour, label"
+        "dropped +face list texcoord: neither vertices nor faces")
+      if(NOT out MATCHES "\n +${line}")
+        message(SEND_ERROR "there is no line \"${line}\":\n${out}${err}")
+      endif()
+    endforeach()
+    foreach(file ${files})
+      file(STRINGS ${file} header REGEX "^property (uchar (red|green|blue)|int label)$")
+      list(LENGTH header count)
+      if(NOT count EQUAL 4)
+        message(SEND_ERROR "${file} has not all properties: ${header}")
+      endif()
+    endforeach()
+    file(READ ${metrics} json)
+    foreach(path "warnings 0 count" "vertex_properties 0" "face_properties 0" "dropped_properties 0 reason")
+      separate_arguments(keys UNIX_COMMAND "${path}")
+      string(JSON value ERROR_VARIABLE error GET "${json}" input ${keys})
+      if(error OR value STREQUAL "")
+        message(SEND_ERROR "metrics.json has no input ${path}")
+      endif()
+    endforeach()
+  endforeach()
 endif()
 
 # ---- The corners of the square: those of a patch by itself, or others on demand ---------------------

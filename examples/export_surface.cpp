@@ -19,6 +19,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -32,7 +33,7 @@ namespace po = boost::program_options;
 using Colour = Eigen::Vector3d; // 0 to 1
 
 struct Request {
-  std::string input, output, map, texture;
+  std::string input, output, map, texture, up;
   int subdivisions, texels;
   double chord_error; // 0: none
 };
@@ -91,17 +92,17 @@ auto bake_curvature(const Surface& surface, const SM::Charted_mesh& mesh, int te
 }
 
 //! [write]
-void write(const std::string& file, const SM::Charted_mesh& mesh)
+/// Returns the names of the properties that have no place in the file.
+std::vector<std::string> write(const std::string& file, const SM::Charted_mesh& mesh, SM::Up_axis up)
 {
   const std::string extension = std::filesystem::path(file).extension().string();
-  if (extension == ".obj")
-    SM::write_obj(file, mesh);
-  else if (extension == ".glb")
-    SM::write_gltf(file, mesh);
-  else if (extension == ".vtp")
+  if (extension == ".obj") return SM::write_obj(file, mesh);
+  if (extension == ".glb") return SM::write_gltf(file, mesh, SM::parameters::up_axis(up));
+  if (extension == ".vtp")
     SM::write_vtp(file, mesh);
   else
     SM::write_ply(file, mesh);
+  return {};
 }
 //! [write]
 
@@ -109,7 +110,8 @@ template <class Atlas>
 SM::Charted_mesh mesh_of(const SM::Manifold_map<Atlas>& map, const Request& request)
 {
   if (!request.map.empty()) throw po::error("only a surface has --map");
-  SM::Charted_mesh mesh = SM::charted_mesh(map);
+  const SM::Mesh_properties properties = SM::read_map_properties(request.input);
+  SM::Charted_mesh mesh = SM::charted_mesh(map, SM::parameters::mesh_properties(std::cref(properties)));
   if (request.texture == "checker")
     mesh.images = SM::png_images(bake_checker<Atlas>(request.texels));
   else if (request.texture != "none")
@@ -122,8 +124,10 @@ SM::Charted_mesh mesh_of(const SM::Manifold_surface<Atlas, ChartEmbedding, Bump>
                          const Request& request)
 {
   const auto tessellation = [&](const auto& np) {
-    return request.map.empty() ? SM::charted_tessellation(surface, np)
-                               : SM::charted_tessellation(surface, SM::read_map<Atlas>(request.map), np);
+    if (request.map.empty()) return SM::charted_tessellation(surface, np);
+    const SM::Mesh_properties properties = SM::read_map_properties(request.map);
+    return SM::charted_tessellation(surface, SM::read_map<Atlas>(request.map),
+                                    np.mesh_properties(std::cref(properties)));
   };
   SM::Charted_mesh mesh = request.chord_error > 0
                             ? tessellation(SM::parameters::chord_error(request.chord_error))
@@ -170,7 +174,12 @@ Request request_of(int argc, char** argv)
                                   100);
   options.add_options()("help", "print this and end")("output,o", po::value(&r.output)->required(),
                                                       "file to write: .obj (with .mtl), .glb, .vtp or .ply")(
-    "map", po::value(&r.map), "map.ply that the surface was fitted to: adds the error as a field")(
+    "map", po::value(&r.map),
+    "map.ply that the surface was fitted to: adds the error as a field, and the properties of the mesh")(
+    "up", po::value(&r.up)->default_value("z"),
+    "the axis that points upwards, which is y in .glb: z, as usual in PLY, STL, OFF, VTK and GIfTI files, or "
+    "y, "
+    "as in OBJ, glTF and COLLADA. Units stay what they are; viewers take those of .glb for metres")(
     "texture", po::value(&r.texture)->default_value("none"),
     "images of the charts (.obj, .glb): none, normals, curvature or checker")(
     "texels", po::value(&r.texels)->default_value(256), "texels per side of the image of a chart")(
@@ -196,6 +205,7 @@ Request request_of(int argc, char** argv)
   const auto textures = {"none", "normals", "curvature", "checker"};
   if (std::find(textures.begin(), textures.end(), r.texture) == textures.end())
     throw po::error("--texture is one of none, normals, curvature, checker");
+  if (r.up != "y" && r.up != "z") throw po::error("--up is one of z, y");
   if (!has_images && r.texture != "none") throw po::error("only .obj and .glb have a texture");
   if (r.texels < 2 || r.texels > 8192) throw po::error("--texels must be from 2 to 8192");
   if (r.subdivisions < 1 || r.subdivisions > 4096) throw po::error("--subdivisions must be from 1 to 4096");
@@ -218,9 +228,12 @@ int main(int argc, char** argv)
   try {
     const Request request = request_of(argc, argv);
     const SM::Charted_mesh mesh = mesh_of_file(request);
-    write(request.output, mesh);
+    const std::vector<std::string> dropped =
+      write(request.output, mesh, request.up == "y" ? SM::Up_axis::Y : SM::Up_axis::Z);
     std::cout << request.output << ": " << mesh.atlas << ", " << mesh.points.size() << " vertices, "
               << mesh.triangles.size() << " triangles, " << mesh.images.size() << " images\n";
+    for (const std::string& name : dropped)
+      std::cout << "  dropped, without a place in the format: " << name << '\n';
   } catch (const po::error& e) {
     return fail(std::string(e.what()) + " (see export_surface --help)", 2);
   } catch (const SM::Error& e) {

@@ -57,6 +57,8 @@ private:
                    count(input["genus"]) + (input["inward_oriented"] ? ", inward oriented" : ""));
     if (metrics_.contains("repair") && metrics_["repair"].contains("sentence"))
       line("repaired", metrics_["repair"]["sentence"]);
+    for (const Json& warning : input["warnings"]) line("warning", warning["sentence"]);
+    add_properties(input);
     if (const int unused = input["isolated_vertices"]; unused > 0)
       line("left out", count(unused, unused == 1 ? "vertex" : "vertices") + " of no face");
     line("map", "onto the " + map_["atlas"].get<std::string>() + ", one to one by proof: " +
@@ -65,6 +67,20 @@ private:
     line("area distortion",
          (map_["area"].is_number() ? shown(std::pow(10, map_["area"].get<double>())) : "infinite") +
            " on average, 1 keeps areas");
+  }
+
+  // Properties of vertices and faces, which go with the map, and what else the file has.
+  void add_properties(const Json& input)
+  {
+    std::string kept, dropped;
+    const auto add = [](std::string& to, const Json& name) {
+      to += (to.empty() ? "" : ", ") + name.get<std::string>();
+    };
+    for (const char* list : {"vertex_properties", "face_properties"})
+      for (const Json& name : input[list]) add(kept, name);
+    for (const Json& property : input["dropped_properties"]) add(dropped, property["name"]);
+    if (!kept.empty()) line("properties", kept);
+    if (!dropped.empty()) line("dropped", dropped + ": neither vertices nor faces have a value of it each");
   }
 
   void add_surface(const Json& s)

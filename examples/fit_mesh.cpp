@@ -7,6 +7,7 @@
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/IO/surface_io.h>
 #include <CGAL/Simple_manifolds/IO/write_tessellation.h>
+#include <CGAL/Simple_manifolds/correspondence/map_properties.h>
 #include <CGAL/Simple_manifolds/embedding/correct_parameters.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
 #include <CGAL/Simple_manifolds/paper/fit/fit_patch_surface.h>
@@ -173,12 +174,15 @@ int write(Job& job, const Map& map, const Surface& surface, const SM::Fit_report
     std::clamp(double(map.number_of_vertices()), 6000., 200000.), map.atlas());
   metrics["parameters"] = std::move(parameters);
   metrics["parameters"]["subdivisions"] = subdivisions;
+  const SM::Mesh_properties properties = SM::map_properties(map, job.input.read.properties);
   job.watch.time("tessellate", [&] {
     SM::write_tessellation(job.folder.file("surface.ply"), surface, map,
-                           SM::parameters::subdivisions(subdivisions));
+                           SM::parameters::subdivisions(subdivisions).mesh_properties(std::cref(properties)));
   });
   job.watch.time("write", [&] {
-    SM::write_map(job.folder.file("map.ply"), map, SM::parameters::repair_report(std::cref(job.input.repair)));
+    SM::write_map(
+      job.folder.file("map.ply"), map,
+      SM::parameters::repair_report(std::cref(job.input.repair)).mesh_properties(std::cref(properties)));
     SM::write_surface(job.folder.file("surface.json"), surface);
     if (job.request.samples > 0)
       SM::write_samples(job.folder.file("samples.csv"), surface,

@@ -7,6 +7,7 @@
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
 #include <CGAL/Simple_manifolds/correspondence/balance.h>
 #include <CGAL/Simple_manifolds/correspondence/criteria.h>
+#include <CGAL/Simple_manifolds/correspondence/map_properties.h>
 #include <CGAL/Simple_manifolds/correspondence/refine.h>
 
 #include <functional>
@@ -133,7 +134,10 @@ int main(int argc, char** argv)
           watch.time("report",
                      [&] { write_page(file("report"), completed(metrics, "map_mesh", watch), map); });
         watch.time("write", [&] {
-          SM::write_map(file("output"), map, SM::parameters::repair_report(std::cref(input.repair)));
+          const SM::Mesh_properties properties = SM::map_properties(map, input.read.properties);
+          SM::write_map(
+            file("output"), map,
+            SM::parameters::repair_report(std::cref(input.repair)).mesh_properties(std::cref(properties)));
         });
         metrics = completed(std::move(metrics), "map_mesh", watch);
         if (options.has("metrics")) write_metrics(file("metrics"), metrics);

@@ -63,9 +63,10 @@ Input read_input(const Command_line& options)
 {
   Input input;
   input.file = options.get<std::string>("input");
-  input.topology = SM::read_mesh(
-    input.file, input.mesh,
-    SM::parameters::repair_options(repair_options(options)).repair_report(std::ref(input.repair)));
+  input.topology = SM::read_mesh(input.file, input.mesh,
+                                 SM::parameters::repair_options(repair_options(options))
+                                   .repair_report(std::ref(input.repair))
+                                   .read_report(std::ref(input.read)));
   return input;
 }
 
@@ -85,6 +86,24 @@ SM::Repair_options repair_options(const Command_line& options)
   else
     o.weld_distance = distance;
   return o;
+}
+
+Json metrics_of_reading(const SM::Read_report& r)
+{
+  Json warnings = Json::array(), dropped = Json::array();
+  for (const SM::Read_warning& w : r.warnings)
+    warnings.push_back({{"count", w.count}, {"sentence", w.sentence()}});
+  const auto names = [](const std::vector<SM::Mesh_property>& properties) {
+    Json list = Json::array();
+    for (const SM::Mesh_property& p : properties) list.push_back(p.name);
+    return list;
+  };
+  for (const std::string& name : r.properties.dropped)
+    dropped.push_back({{"name", name}, {"reason", "neither vertices nor faces have a value of it each"}});
+  return {{"warnings", warnings},
+          {"vertex_properties", names(r.properties.vertex)},
+          {"face_properties", names(r.properties.face)},
+          {"dropped_properties", dropped}};
 }
 
 Json metrics_of_repair(const SM::Repair_report& r)

@@ -8,6 +8,7 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
+#include <CGAL/Simple_manifolds/IO/Read_report.h>
 #include <CGAL/Simple_manifolds/Visitor.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
@@ -138,6 +139,7 @@ struct Input {
   Mesh mesh;
   SM::Mesh_topology topology; // of the repaired mesh
   SM::Repair_report repair;   // what was done to the file's one
+  SM::Read_report read;       // what the file has beside it
 };
 
 /// What --repair and --weld ask for.
@@ -159,6 +161,9 @@ inline bool is_paper(const Command_line& options) { return options.get<std::stri
 SM::Any_mesh_map<Mesh> map_by_partition(const Command_line& options, const Input& input, Json& how,
                                         Progress& progress);
 
+/// What a file has beside its mesh: what was passed over, and which properties go on or are dropped.
+Json metrics_of_reading(const SM::Read_report& report);
+
 /// What was done to a mesh: a count for each step, and where the first ones were done.
 Json metrics_of_repair(const SM::Repair_report& report);
 
@@ -168,14 +173,16 @@ inline Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr)
 template <class Map>
 Json metrics_of_input(const Input& input, const Map& map)
 {
-  return {{"file", input.file},
-          {"vertices", input.topology.vertices},
-          {"faces", input.topology.faces},
-          {"genus", input.topology.genus},
-          {"border_loops", input.topology.border_loops},
-          {"isolated_vertices", input.topology.isolated_vertices},
-          {"inward_oriented", map.is_inward_oriented()},
-          {"diagonal", map.diagonal()}};
+  Json metrics = {{"file", input.file},
+                  {"vertices", input.topology.vertices},
+                  {"faces", input.topology.faces},
+                  {"genus", input.topology.genus},
+                  {"border_loops", input.topology.border_loops},
+                  {"isolated_vertices", input.topology.isolated_vertices},
+                  {"inward_oriented", map.is_inward_oriented()},
+                  {"diagonal", map.diagonal()}};
+  metrics.update(metrics_of_reading(input.read));
+  return metrics;
 }
 
 /// Certifies the map once more, as it is going to be written, and measures it.

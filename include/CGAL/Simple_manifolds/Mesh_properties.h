@@ -8,8 +8,15 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_MESH_PROPERTIES_H
 #define CGAL_SIMPLE_MANIFOLDS_MESH_PROPERTIES_H
 
+#include <CGAL/Simple_manifolds/Input_indices.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// \file
@@ -32,6 +39,19 @@ struct Mesh_property {
   /// The values of the elements one after the other; NaN where the file has none. Numbers of 64 bits are rounded to
   /// the 53 bits of a double.
   std::vector<double> values;
+
+  /// The number of elements.
+  std::size_t size() const { return values.size() / static_cast<std::size_t>(components); }
+  /// Component k of element i.
+  double operator()(std::size_t i, std::size_t k) const
+  {
+    return values[i * static_cast<std::size_t>(components) + k];
+  }
+  /// Whether the values are integers.
+  bool is_integer() const { return type != Scalar_type::FLOAT32 && type != Scalar_type::FLOAT64; }
+  /// Whether the values are names of something, such as labels, between which there is nothing: integers that are no
+  /// colours.
+  bool is_discrete() const { return is_integer() && name != "colour"; }
 };
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -47,7 +67,76 @@ struct Mesh_properties {
 
   /// Whether there is none.
   bool empty() const { return vertex.empty() && face.empty(); }
+  /// Whether all have values for so many vertices and faces.
+  bool suits(std::size_t number_of_vertices, std::size_t number_of_faces) const
+  {
+    const auto have_size = [](const std::vector<Mesh_property>& list, std::size_t n) {
+      return std::all_of(list.begin(), list.end(), [n](const Mesh_property& p) {
+        return p.components > 0 && p.values.size() == n * static_cast<std::size_t>(p.components);
+      });
+    };
+    return have_size(vertex, number_of_vertices) && have_size(face, number_of_faces);
+  }
 };
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// The properties of a mesh that was made of another one, such as one that was repaired.
+///
+/// \param properties  of the other one
+/// \param input  which of its elements those of the mesh are, see `Repair_report::input`; an empty array means the first
+///   ones
+/// \param number_of_vertices, number_of_faces  of the mesh. Elements beyond the array of `input`, and those that it gives -1
+///   for, have NaN
+/// \pre `properties` have values for all elements that `input` names
+inline Mesh_properties selected_properties(Mesh_properties properties, const Input_indices& input,
+                                           std::size_t number_of_vertices, std::size_t number_of_faces)
+{
+  const auto select = [](std::vector<Mesh_property>& list, const std::vector<int>& elements,
+                         std::size_t size) {
+    for (Mesh_property& p : list) {
+      if (elements.empty() && p.size() == size) continue;
+      const auto n = static_cast<std::size_t>(p.components);
+      std::vector<double> values(n * size, std::numeric_limits<double>::quiet_NaN());
+      const std::size_t named = elements.empty() ? p.size() : elements.size();
+      for (std::size_t i = 0; i < (std::min)(size, named); ++i) {
+        const auto from = elements.empty() ? i : static_cast<std::size_t>(elements[i]);
+        if (elements.empty() || elements[i] >= 0)
+          for (std::size_t k = 0; k < n; ++k) values[n * i + k] = p(from, k);
+      }
+      p.values = std::move(values);
+    }
+  };
+  select(properties.vertex, input.vertices, number_of_vertices);
+  select(properties.face, input.faces, number_of_faces);
+  return properties;
+}
+
+namespace internal {
+
+// Writes to `out` what lies between some elements with weights of sum 1: the mean, for normals of length 1, for colours
+// rounded where they are integers; and the value of the first of the heaviest where there is nothing between.
+template <std::size_t n, class Elements>
+void interpolate(const Mesh_property& p, const Elements& elements, const std::array<double, n>& weights,
+                 double* out)
+{
+  const auto components = static_cast<std::size_t>(p.components);
+  const auto heaviest =
+    static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
+  const bool is_one = p.is_discrete() || weights[heaviest] == 1;
+  double square = 0;
+  for (std::size_t k = 0; k < components; ++k) {
+    double x = is_one ? p(static_cast<std::size_t>(elements[heaviest]), k) : 0;
+    for (std::size_t i = 0; !is_one && i < n; ++i)
+      if (weights[i] != 0) x += weights[i] * p(static_cast<std::size_t>(elements[i]), k);
+    out[k] = !is_one && p.is_integer() ? std::round(x) : x;
+    square += x * x;
+  }
+  if (!is_one && p.name == "normal" && square > 0)
+    for (std::size_t k = 0; k < components; ++k) out[k] /= std::sqrt(square);
+}
+
+} // namespace internal
 
 } // namespace Simple_manifolds
 } // namespace CGAL

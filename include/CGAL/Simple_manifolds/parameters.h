@@ -24,6 +24,8 @@
   X(drop_non_finite)     /* bool: faces with a corner that is NaN or infinite */                             \
   X(debris_share)        /* double in [0,1]: components below this share of the largest are dropped */       \
   X(repair_report)       /* std::reference_wrapper<Repair_report> */                                         \
+  X(read_report)         /* std::reference_wrapper<Read_report> */                                           \
+  X(mesh_properties)     /* Mesh_properties: what is written with a map, or goes to a tessellation */        \
   X(energy)              /* Energy: what a map minimises */                                                  \
   X(energy_lambda)       /* double: weight of area against angle in Energy::AMIPS */                         \
   X(area_floor)          /* double in (0,1]: share of uniform area in the target areas */                    \
@@ -64,6 +66,7 @@
   X(max_faces)           /* std::size_t: limit of the faces of a tessellation */                             \
   X(tile_borders)        /* Tile_borders: where the tiles of the sphere meet */                              \
   X(tessellation_report) /* std::reference_wrapper<Tessellation_report> */                                   \
+  X(up_axis)             /* Up_axis: of a mesh that is written as glTF */                                    \
   X(relative_error)      /* double: error of an integral allowed, fraction of the integral of |f| */         \
   X(normal_map)          /* WritablePropertyMap vertex -> Vector_3 */                                        \
   X(chart_point_map)     /* WritablePropertyMap vertex -> Chart_point */

@@ -11,11 +11,13 @@
 #include <CGAL/Simple_manifolds/internal/concepts.h>
 #include <CGAL/Simple_manifolds/internal/named_parameters.h>
 
+#include <CGAL/Simple_manifolds/Mesh_properties.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/atlas/default_chart.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
+#include <CGAL/Simple_manifolds/correspondence/map_properties.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
@@ -23,8 +25,10 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -59,6 +63,8 @@ struct Charted_mesh {
   std::vector<int> charts;
   /// Per triangle and corner the coordinates in that chart; zero where there is none.
   std::vector<std::array<Eigen::Vector2d, 3>> coordinates;
+  /// Properties of the mesh that it stands for, per vertex and per triangle, see `mesh_properties`.
+  Mesh_properties properties;
   /// Per chart the contents of a PNG file, as `png_images()` makes them; or none. Of several parts, those of one after
   /// those of the other.
   std::vector<std::string> images;
@@ -86,6 +92,7 @@ struct Charted_mesh {
       is_valid = is_valid && f.values.size() == n && !f.name.empty();
       for (unsigned char c : f.name) is_valid = is_valid && (std::isalnum(c) || c == '_');
     }
+    is_valid = is_valid && properties.suits(n, m);
     for (const Triangle& t : triangles)
       for (int v : t) is_valid = is_valid && 0 <= v && std::size_t(v) < n;
     for (int c : charts) is_valid = is_valid && c >= -1;
@@ -147,6 +154,38 @@ Charted_mesh tessellation_over(const Surface& surface,
   return mesh;
 }
 
+// Gives a mesh over the domain of a map what the mesh of the map has there. Triangles have what is at their middles.
+template <class Atlas>
+void add_properties(Charted_mesh& mesh, const Manifold_map<Atlas>& map,
+                    const std::vector<typename Atlas::Domain_point>& domain_points,
+                    const Mesh_properties& properties)
+{
+  std::vector<typename Manifold_map<Atlas>::Location> locations;
+  map.to_mesh(domain_points, std::back_inserter(locations));
+  mesh.properties.vertex = vertex_properties_at(map, locations, properties.vertex);
+  if (properties.face.empty()) return;
+  std::vector<typename Atlas::Domain_point> middles;
+  for (const Triangle& t : mesh.triangles)
+    middles.push_back(map.atlas().interpolate(domain_points[t[0]], domain_points[t[1]], domain_points[t[2]],
+                                              Eigen::Vector3d::Constant(1. / 3)));
+  locations.clear();
+  map.to_mesh(middles, std::back_inserter(locations));
+  mesh.properties.face = face_properties_at(map, locations, properties.face);
+}
+
+// A mesh without normals shows its facets, unless its vertices have some everywhere.
+inline void take_normals(Charted_mesh& mesh)
+{
+  std::vector<Mesh_property>& list = mesh.properties.vertex;
+  const auto p = std::find_if(list.begin(), list.end(), [](const Mesh_property& q) {
+    return q.name == "normal" && q.components == 3 &&
+           std::all_of(q.values.begin(), q.values.end(), [](double x) { return std::isfinite(x); });
+  });
+  if (!mesh.normals.empty() || p == list.end()) return;
+  for (std::size_t v = 0; v < p->size(); ++v) mesh.normals.emplace_back((*p)(v, 0), (*p)(v, 1), (*p)(v, 2));
+  list.erase(p);
+}
+
 // Over a Tile_grid or a Domain_triangulation.
 template <class Surface, class Grid>
 Charted_mesh tessellation_over(const Surface& surface, const Grid& grid)
@@ -185,12 +224,16 @@ Charted_mesh charted_tessellation(const Surface& surface, const NamedParameters&
   return tessellation_over(surface, grid_or_triangulation(surface, np));
 }
 
+// properties: of the map; any other map than a Manifold_map has none.
 template <class Surface, class Map, class NamedParameters>
-Charted_mesh charted_tessellation(const Surface& surface, const Map& map, const NamedParameters& np)
+Charted_mesh charted_tessellation(const Surface& surface, const Map& map, const NamedParameters& np,
+                                  [[maybe_unused]] const Mesh_properties& properties)
 {
   const auto grid = grid_or_triangulation(surface, np);
   Charted_mesh mesh = tessellation_over(surface, grid);
   mesh.fields.push_back(error_field(surface, map_on_arrays(map), grid.domain_points()));
+  if constexpr (has_parameter<internal_np::mesh_properties_t, NamedParameters>)
+    add_properties(mesh, map_on_arrays(map), grid.domain_points(), properties);
   return mesh;
 }
 
@@ -219,14 +262,23 @@ Charted_mesh charted_tessellation(const Surface& surface,
 /// The same with one more field, `error`: the distance |E(p) - M(p)| of the surface from the mesh that it
 /// was fitted to, as a fraction of the diagonal.
 /// \param map  a model of `ManifoldMap` with the range version of `to_mesh()`
+/// \param np  those of `adaptive_triangulation()` or `tessellate()` and
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{mesh_properties} \cgalParamDescription{properties of the vertices and faces of the map, see
+///     `map_properties()`: vertices of the tessellation have their values where they lie on the mesh, interpolated, and
+///     triangles the value of the face at their middle. Then the map is a `Manifold_map`}
+///     \cgalParamType{`Mesh_properties`} \cgalParamDefault{none} \cgalParamNEnd
+/// \cgalNamedParamsEnd
 template <class Surface, class Map, class NamedParameters>
 Charted_mesh charted_tessellation(const Surface& surface, const Map& map, const NamedParameters& np)
 {
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_MAP(Map);
-  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_TESSELLATION_PARAMETERS);
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters,
+                                         CGAL_SIMPLE_MANIFOLDS_TESSELLATION_PARAMETERS ", mesh_properties");
   CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, tessellation_report);
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_SIZING(internal::Sizing_of<NamedParameters>, typename Surface::Atlas);
-  return internal::charted_tessellation(surface, map, np);
+  return internal::charted_tessellation(
+    surface, map, np, internal::parameter(np, internal_np::mesh_properties, Mesh_properties()));
 }
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -248,10 +300,20 @@ Charted_mesh charted_tessellation(const Surface& surface,
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// The mesh of a map, without the virtual faces that close its borders, and with the fields of the domain
-/// point. Vertices and faces keep their order. It has no normals: programs then show its facets.
-template <class Atlas>
-Charted_mesh charted_mesh(const Manifold_map<Atlas>& map)
+/// point. Vertices and faces keep their order. It has no normals, so that programs show its facets, unless
+/// all vertices have the property `normal`.
+///
+/// \param np  named parameters
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{mesh_properties} \cgalParamDescription{properties of the vertices and faces of the map, see
+///     `map_properties()`}
+///     \cgalParamType{`Mesh_properties`} \cgalParamDefault{none} \cgalParamNEnd
+/// \cgalNamedParamsEnd
+template <class Atlas, class NamedParameters = parameters::Default_named_parameters>
+Charted_mesh charted_mesh(const Manifold_map<Atlas>& map,
+                          const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "mesh_properties");
   Charted_mesh mesh;
   mesh.kind = "mesh with charts";
   std::vector<typename Atlas::Domain_point> domain_points;
@@ -269,6 +331,14 @@ Charted_mesh charted_mesh(const Manifold_map<Atlas>& map)
     mesh.triangles.push_back({index[t[0]], index[t[1]], index[t[2]]});
   }
   internal::set_domain_points(mesh, map.atlas(), domain_points);
+  if constexpr (internal::has_parameter<internal_np::mesh_properties_t, NamedParameters>) {
+    Input_indices elements;
+    for (std::size_t v = 0; v < map.number_of_vertices(); ++v)
+      if (!map.is_virtual_vertex(v)) elements.vertices.push_back(static_cast<int>(v));
+    mesh.properties = selected_properties(internal::parameter(np, internal_np::mesh_properties), elements,
+                                          mesh.points.size(), mesh.triangles.size());
+    internal::take_normals(mesh);
+  }
   return mesh;
 }
 
@@ -276,11 +346,13 @@ Charted_mesh charted_mesh(const Manifold_map<Atlas>& map)
 ///
 /// The same with one more field, `error`: the distance |E(p) - M(p)| of a surface from each vertex, as a
 /// fraction of the diagonal.
-template <class Atlas, class ChartEmbedding, class Bump>
+template <class Atlas, class ChartEmbedding, class Bump,
+          class NamedParameters = parameters::Default_named_parameters>
 Charted_mesh charted_mesh(const Manifold_map<Atlas>& map,
-                          const Manifold_surface<Atlas, ChartEmbedding, Bump>& surface)
+                          const Manifold_surface<Atlas, ChartEmbedding, Bump>& surface,
+                          const NamedParameters& np = parameters::default_values())
 {
-  Charted_mesh mesh = charted_mesh(map);
+  Charted_mesh mesh = charted_mesh(map, np);
   std::vector<typename Atlas::Domain_point> domain_points;
   for (std::size_t v = 0; v < map.number_of_vertices(); ++v)
     if (!map.is_virtual_vertex(v)) domain_points.push_back(map.domain_point(v));

@@ -11,8 +11,10 @@
 #include <CGAL/Simple_manifolds/internal/named_parameters.h>
 
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
+#include <CGAL/Simple_manifolds/Mesh_properties.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/Component.h>
+#include <CGAL/Simple_manifolds/correspondence/map_properties.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 
 #include <CGAL/assertions.h>
@@ -32,10 +34,30 @@
 namespace CGAL {
 namespace Simple_manifolds {
 
+namespace internal {
+
+// Appends the properties of so many further elements to those of the first ones; what is not on both sides is NaN there.
+inline void append_properties(std::vector<Mesh_property>& all, std::size_t first,
+                              const std::vector<Mesh_property>& further, std::size_t count)
+{
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const Mesh_property& p : further) {
+    auto at = std::find_if(all.begin(), all.end(), [&](const Mesh_property& q) {
+      return q.name == p.name && q.components == p.components && q.type == p.type;
+    });
+    if (at == all.end()) at = all.insert(at, Mesh_property{p.name, p.components, p.type, {}});
+    at->values.resize(first * std::size_t(p.components), none);
+    at->values.insert(at->values.end(), p.values.begin(), p.values.end());
+  }
+  for (Mesh_property& p : all) p.values.resize((first + count) * std::size_t(p.components), none);
+}
+
+} // namespace internal
+
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// Several meshes as one, with a part for each. A field that a mesh does not have is NaN there. The normals are there
-/// if all have some.
+/// Several meshes as one, with a part for each. A field or property that a mesh does not have is NaN there. The normals
+/// are there if all have some.
 /// \param names  of the parts
 /// \pre there is a mesh, all `is_valid()` without parts, as many as names
 inline Charted_mesh joined(std::vector<Charted_mesh> meshes, const std::vector<std::string>& names)
@@ -69,6 +91,9 @@ inline Charted_mesh joined(std::vector<Charted_mesh> meshes, const std::vector<s
     }
     for (Charted_mesh::Field& field : all.fields)
       field.values.resize(n, std::numeric_limits<double>::quiet_NaN());
+    internal::append_properties(all.properties.vertex, first, mesh.properties.vertex, mesh.points.size());
+    internal::append_properties(all.properties.face, all.charts.size(), mesh.properties.face,
+                                mesh.triangles.size());
     append(all.points, mesh.points);
     append(all.normals, mesh.normals);
     append(all.chart_points, mesh.chart_points);
@@ -115,7 +140,8 @@ Charted_mesh charted_tessellation(const std::vector<Component<AnySurface>>& surf
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// The same with the field `error`; see `charted_tessellation()` of a surface and its map.
+/// The same with the field `error`; see `charted_tessellation()` of a surface and its map. Here `mesh_properties` are those
+/// of the mesh whose components they are, as `map_properties()` takes them.
 /// \param maps  those that the surfaces were fitted to, in the same order
 /// \pre `maps.size() == surfaces.size()`; there is a surface; where there is one there is a map over the same atlas
 template <class AnySurface, class AnyMap, class NamedParameters>
@@ -123,6 +149,10 @@ Charted_mesh charted_tessellation(const std::vector<Component<AnySurface>>& surf
                                   const std::vector<Component<AnyMap>>& maps, const NamedParameters& np)
 {
   CGAL_precondition(maps.size() == surfaces.size());
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters,
+                                         CGAL_SIMPLE_MANIFOLDS_TESSELLATION_PARAMETERS ", mesh_properties");
+  const Mesh_properties none;
+  const Mesh_properties& properties = internal::parameter(np, internal_np::mesh_properties, none);
   return internal::joined_components(surfaces, [&](const auto& surface, std::size_t k) {
     using Atlas = typename std::decay_t<decltype(surface)>::Atlas;
     return std::visit(
@@ -130,7 +160,7 @@ Charted_mesh charted_tessellation(const std::vector<Component<AnySurface>>& surf
         constexpr bool is_its_map = std::is_same_v<typename std::decay_t<decltype(map)>::Atlas, Atlas>;
         CGAL_precondition_msg(is_its_map, "the map is not the one of the surface");
         if constexpr (is_its_map)
-          return charted_tessellation(surface, map, np);
+          return internal::charted_tessellation(surface, map, np, map_properties(map, properties));
         else
           return {};
       },
@@ -141,12 +171,19 @@ Charted_mesh charted_tessellation(const std::vector<Component<AnySurface>>& surf
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// The meshes of the maps of all components that have one, as one mesh whose parts have their names.
+/// \param np  `mesh_properties`, here of the mesh whose components they are, as `map_properties()` takes them
 /// \tparam AnyMap  an `Any_map` or `Any_mesh_map`
 /// \pre there is a map
-template <class AnyMap>
-Charted_mesh charted_mesh(const std::vector<Component<AnyMap>>& maps)
+template <class AnyMap, class NamedParameters = parameters::Default_named_parameters>
+Charted_mesh charted_mesh(const std::vector<Component<AnyMap>>& maps,
+                          const NamedParameters& np = parameters::default_values())
 {
-  return internal::joined_components(maps, [](const auto& map, std::size_t) { return charted_mesh(map); });
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "mesh_properties");
+  const Mesh_properties none;
+  const Mesh_properties& properties = internal::parameter(np, internal_np::mesh_properties, none);
+  return internal::joined_components(maps, [&](const auto& map, std::size_t) {
+    return charted_mesh(map, parameters::mesh_properties(map_properties(map, properties)));
+  });
 }
 
 } // namespace Simple_manifolds

@@ -13,8 +13,11 @@
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
 #include <CGAL/Simple_manifolds/IO/map_io.h>
+#include <CGAL/Simple_manifolds/Mesh_properties.h>
 #include <CGAL/Simple_manifolds/correspondence/Any_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Component.h>
+#include <CGAL/Simple_manifolds/correspondence/map_properties.h>
+#include <CGAL/Simple_manifolds/repair/Repair_report.h>
 
 #include <CGAL/assertions.h>
 
@@ -50,15 +53,20 @@ inline std::string numbered_file(const std::string& file, std::size_t k)
 ///
 /// \param files  they appear with the others of `files`
 /// \param file  NAME.ply
-/// \param np  the named parameters of `write_map()`
+/// \param np  the named parameters of `write_map()`; here `mesh_properties` are those of the mesh whose components they are,
+///   as `map_properties()` takes them
 /// \tparam AnyMap  an `Any_map` or `Any_mesh_map`
 /// \throw IO_error (`cannot_write`)
 template <class AnyMap, class NamedParameters = parameters::Default_named_parameters>
 void write_maps(Atomic_files& files, const std::string& file, const std::vector<Component<AnyMap>>& maps,
                 const NamedParameters& np = parameters::default_values())
 {
-  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "use_binary_mode");
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "use_binary_mode, repair_report, mesh_properties");
   const bool is_binary = internal::parameter(np, CGAL::internal_np::use_binary_mode, true);
+  const Repair_report no_repair;
+  const Mesh_properties no_properties;
+  const Repair_report& repair = internal::parameter(np, internal_np::repair_report, no_repair);
+  const Mesh_properties& properties = internal::parameter(np, internal_np::mesh_properties, no_properties);
   internal::Map_file_part part;
   part.count = number_of_values(maps);
   std::size_t k = 0;
@@ -67,8 +75,11 @@ void write_maps(Atomic_files& files, const std::string& file, const std::vector<
     const std::string path = files.file(numbered_file(file, ++k));
     if (part.count > 1) part.number = k;
     part.name = component.name;
-    std::visit([&](const auto& map) { internal::write_map_file(path, map, is_binary, part); },
-               component.value());
+    std::visit(
+      [&](const auto& map) {
+        internal::write_map_file(path, map, is_binary, part, repair, map_properties(map, properties));
+      },
+      component.value());
   }
 }
 

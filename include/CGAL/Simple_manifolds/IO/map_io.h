@@ -13,19 +13,24 @@
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
 #include <CGAL/Simple_manifolds/IO/internal/Ply_file.h>
+#include <CGAL/Simple_manifolds/IO/internal/Ply_property_columns.h>
 #include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
 #include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
 #include <CGAL/Simple_manifolds/IO/internal/atlas_numbers.h>
 #include <CGAL/Simple_manifolds/IO/internal/file_contents.h>
+#include <CGAL/Simple_manifolds/Mesh_properties.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/canonical_surfaces.h>
 #include <CGAL/Simple_manifolds/correspondence/Any_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/repair/Repair_report.h>
 
+#include <CGAL/assertions.h>
+
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -164,8 +169,15 @@ inline Any_map read_any_map(const std::string& file, Map_file_part* part = nullp
 template <class Atlas>
 void write_map_file(const std::string& file, const Manifold_map<Atlas>& map, bool is_binary,
                     const Map_file_part& part = Map_file_part(),
-                    const Repair_report& repair = Repair_report())
+                    const Repair_report& repair = Repair_report(),
+                    const Mesh_properties& properties = Mesh_properties())
 {
+  CGAL_precondition(properties.suits(map.number_of_vertices(), map.number_of_faces()));
+  const std::vector<std::string> names = domain_properties<Atlas>();
+  std::set<std::string> taken = {"x", "y", "z", "input_vertex"};
+  taken.insert(names.begin(), names.end());
+  const Ply_property_columns of_vertices(properties.vertex, std::move(taken)),
+    of_faces(properties.face, {"vertex_indices", "chart"});
   const std::vector<int> input_vertices =
     map.input_indices().within(repair.input).vertices; // empty: 0, 1, 2, ...
   Atomic_file output(file);
@@ -193,19 +205,25 @@ void write_map_file(const std::string& file, const Manifold_map<Atlas>& map, boo
       std::string(part.number > 0 ? " or to another component" : ""));
   ply.header("element vertex " + std::to_string(map.number_of_vertices()));
   for (const char* name : {"x", "y", "z"}) ply.header(std::string("property double ") + name);
-  for (const std::string& name : domain_properties<Atlas>()) ply.header("property double " + name);
+  for (const std::string& name : names) ply.header("property double " + name);
   if (has_left_out) ply.header("property int input_vertex");
+  of_vertices.write_header(ply);
   ply.header("element face " + std::to_string(map.number_of_faces()));
   ply.header("property list uchar int vertex_indices");
   ply.header("property int chart");
+  of_faces.write_header(ply);
   ply.header("end_header");
   for (std::size_t v = 0; v < map.number_of_vertices(); ++v) {
     ply.values(map.point(v));
     ply.values(map.domain_point(v));
     if (has_left_out) ply.value(v < input_vertices.size() ? input_vertices[v] : -1);
+    of_vertices.write_values(ply, v);
     ply.end_row();
   }
-  write_ply_triangles(ply, map.faces(), [&](int f) { ply.value(map.chart(f)); });
+  write_ply_triangles(ply, map.faces(), [&](int f) {
+    ply.value(map.chart(f));
+    of_faces.write_values(ply, static_cast<std::size_t>(f));
+  });
   output.commit();
 }
 
@@ -227,16 +245,21 @@ void write_map_file(const std::string& file, const Manifold_map<Atlas>& map, boo
 ///   \cgalParamNBegin{repair_report} \cgalParamDescription{what `read_mesh()` has told of the mesh that the map is of:
 ///     then `input_vertex` are numbers of the file that it has read}
 ///     \cgalParamType{`Repair_report`} \cgalParamDefault{of a mesh without repairs} \cgalParamNEnd
+///   \cgalParamNBegin{mesh_properties} \cgalParamDescription{properties of the vertices and faces of the map, see
+///     `map_properties()`, which are written, too; those whose name the file uses itself get the suffix `_of_input`}
+///     \cgalParamType{`Mesh_properties`} \cgalParamDefault{none} \cgalParamNEnd
 /// \cgalNamedParamsEnd
+/// \pre properties have as many values as the map has vertices or faces
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
 template <class Atlas, class NamedParameters = parameters::Default_named_parameters>
 void write_map(const std::string& file, const Manifold_map<Atlas>& map,
                const NamedParameters& np = parameters::default_values())
 {
-  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "use_binary_mode, repair_report");
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "use_binary_mode, repair_report, mesh_properties");
   internal::write_map_file(file, map, internal::parameter(np, CGAL::internal_np::use_binary_mode, true),
                            internal::Map_file_part(),
-                           internal::parameter(np, internal_np::repair_report, Repair_report()));
+                           internal::parameter(np, internal_np::repair_report, Repair_report()),
+                           internal::parameter(np, internal_np::mesh_properties, Mesh_properties()));
 }
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -261,6 +284,17 @@ Manifold_map<Atlas> read_map(const std::string& file)
 ///
 /// Reads a map to whichever canonical surface the file names; else as `read_map<Atlas>()`.
 inline Any_map read_map(const std::string& file) { return internal::read_any_map(file); }
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// The properties that were written with a map, of its vertices and faces; none of those that make the map.
+///
+/// \throw IO_error when the file is missing or damaged
+inline Mesh_properties read_map_properties(const std::string& file)
+{
+  const std::string bytes = internal::file_contents(file);
+  return internal::Ply_file(file, bytes).mesh().properties;
+}
 
 } // namespace Simple_manifolds
 } // namespace CGAL

@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/internal/named_parameters.h>
 
 #include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/IO/Read_report.h>
 #include <CGAL/Simple_manifolds/IO/internal/File_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_file_mesh.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
@@ -25,6 +26,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +49,22 @@ inline Mesh_topology topology_of_repaired(const std::string& file, const Mesh_so
                            (report.has_changes() ? "no face is left: " + report.sentence()
                                                  : std::string("the mesh has no faces")));
   return topology_of_soup(soup, opposite);
+}
+
+// The same; errors say so where a lack of precision can be the cause.
+inline Mesh_topology topology_of_repaired(const std::string& file, const Mesh_soup& soup,
+                                          const Repair_report& report,
+                                          const std::vector<Read_warning>& warnings,
+                                          std::vector<int>& opposite)
+{
+  try {
+    return topology_of_repaired(file, soup, report, opposite);
+  } catch (const Topology_error& e) {
+    for (const Read_warning& w : warnings)
+      if (w.kind == Read_warning::SINGLE_PRECISION)
+        throw Topology_error(e.code(), e.what() + ("; " + w.sentence()), e.element());
+    throw;
+  }
 }
 
 } // namespace internal
@@ -77,6 +95,9 @@ inline Mesh_topology topology_of_repaired(const std::string& file, const Mesh_so
 ///     \cgalParamType{`Repair_options`} \cgalParamDefault{`Repair_options()`} \cgalParamNEnd
 ///   \cgalParamNBegin{repair_report} \cgalParamDescription{receives what was done}
 ///     \cgalParamType{`std::reference_wrapper<Repair_report>`} \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalParamNBegin{read_report} \cgalParamDescription{receives what the file has beside the mesh: normals, colours and
+///     other properties of vertices and faces; and how often something was passed over that is not as the format wants it}
+///     \cgalParamType{`std::reference_wrapper<Read_report>`} \cgalParamDefault{none} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \return the topology of what was read and repaired
 ///
@@ -90,15 +111,22 @@ Mesh_topology read_mesh(const std::string& file, MutableFaceGraph& mesh,
                         const NamedParameters& np = parameters::default_values())
 {
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_MESH(MutableFaceGraph);
-  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters,
-                                         CGAL_SIMPLE_MANIFOLDS_REPAIR_PARAMETERS ", vertex_point_map");
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_REPAIR_PARAMETERS
+                                         ", vertex_point_map, read_report");
   CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, repair_report);
+  CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, read_report);
   internal::File_mesh contents = internal::read_file_mesh(file);
+  Read_report own_read_report;
+  Read_report& read = internal::parameter(np, internal_np::read_report, own_read_report);
+  read = Read_report{std::move(contents.warnings), std::move(contents.properties)};
   Repair_report own_report;
   Repair_report& report = internal::parameter(np, internal_np::repair_report, own_report);
   const Mesh_soup soup = internal::repair_soup(std::move(contents), internal::repair_options(np), report);
   std::vector<int> opposite;
-  const Mesh_topology result = internal::topology_of_repaired(file, soup, report, opposite);
+  const Mesh_topology result = internal::topology_of_repaired(file, soup, report, read.warnings, opposite);
+  read.properties = selected_properties(std::move(read.properties), report.input,
+                                        static_cast<std::size_t>(soup.number_of_vertices()),
+                                        static_cast<std::size_t>(soup.number_of_faces()));
 
   auto points =
     internal::parameter(np, CGAL::internal_np::vertex_point, get_property_map(CGAL::vertex_point, mesh));

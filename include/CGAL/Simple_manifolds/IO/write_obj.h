@@ -13,6 +13,8 @@
 #include <CGAL/Simple_manifolds/IO/chart_colour.h>
 #include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
 #include <CGAL/Simple_manifolds/IO/internal/chart_parts.h>
+#include <CGAL/Simple_manifolds/IO/internal/vertex_colours.h>
+#include <CGAL/Simple_manifolds/Mesh_properties.h>
 
 #include <CGAL/assertions.h>
 
@@ -43,7 +45,15 @@ inline void write_obj_lines(std::ostream& out, const Charted_mesh& mesh, const s
                             const std::string& materials)
 {
   out << "# simple_manifolds " << mesh.kind << ", atlas " << mesh.atlas << "\nmtllib " << materials << '\n';
-  for (const Eigen::Vector3d& x : mesh.points) write_obj_row(out, "v", x);
+  const Mesh_property* colours = colours_of(mesh);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    if (colours) {
+      Eigen::Matrix<double, 6, 1> row;
+      row << mesh.points[v], colour_at(*colours, v).head<3>();
+      write_obj_row(out, "v", row);
+    } else {
+      write_obj_row(out, "v", mesh.points[v]);
+    }
   for (const Eigen::Vector3d& x : mesh.normals) write_obj_row(out, "vn", x);
   const std::vector<std::string> bodies = words_of(mesh.parts);
   std::size_t coordinates = 1; // the number of the first pair of the part
@@ -76,12 +86,14 @@ inline void write_obj_lines(std::ostream& out, const Charted_mesh& mesh, const s
 /// triangle with its coordinates in the chart as texture coordinates. A vertex on the border of two charts
 /// has one pair of coordinates in each. With `mesh.images` each material has its image, NAME_chart0.png etc.;
 /// without, the colour of its chart. Triangles come chart by chart; fields are not written. Each of several parts is an
-/// object (`o`) with its name, which those of its groups and materials begin with: `part-1_chart0`.
+/// object (`o`) with its name, which those of its groups and materials begin with: `part-1_chart0`. Of the properties, a
+/// colour of all vertices is written, from 0 to 1 behind their positions, as many programs read it.
 ///
 /// \param file  NAME.obj
+/// \return the names of the properties that have no place in the file
 /// \pre `mesh.is_valid()`
 /// \throw IO_error (`cannot_write`); nothing is then written
-inline void write_obj(const std::string& file, const Charted_mesh& mesh)
+inline std::vector<std::string> write_obj(const std::string& file, const Charted_mesh& mesh)
 {
   CGAL_precondition(mesh.is_valid());
   const std::filesystem::path path(file), folder = path.parent_path();
@@ -106,6 +118,7 @@ inline void write_obj(const std::string& file, const Charted_mesh& mesh)
   internal::write_obj_lines(obj.stream(), mesh, parts, name + ".mtl");
   obj.commit();
   output.commit();
+  return internal::names_without(mesh.properties, {internal::colours_of(mesh)});
 }
 
 } // namespace Simple_manifolds

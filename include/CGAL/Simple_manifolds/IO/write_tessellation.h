@@ -60,16 +60,20 @@ void write_tessellation(const std::string& file, const Surface& surface,
 /// The same with one more value per vertex, `error`: the distance |E(p) - M(p)| of the surface from the
 /// mesh that it was fitted to, as a fraction of the diagonal.
 /// \param map  a model of `ManifoldMap` with the range version of `to_mesh()`
+/// \param np  the named parameters of `charted_tessellation()` of a surface and its map, and of `write_ply()`
 template <class Surface, class Map, class NamedParameters>
 void write_tessellation(const std::string& file, const Surface& surface, const Map& map,
                         const NamedParameters& np)
 {
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_MAP(Map);
-  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters,
-                                         CGAL_SIMPLE_MANIFOLDS_TESSELLATION_PARAMETERS ", use_binary_mode");
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_TESSELLATION_PARAMETERS
+                                         ", use_binary_mode, mesh_properties");
   CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, tessellation_report);
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_SIZING(internal::Sizing_of<NamedParameters>, typename Surface::Atlas);
-  write_ply(file, internal::charted_tessellation(surface, map, np), internal::binary_mode(np));
+  write_ply(file,
+            internal::charted_tessellation(
+              surface, map, np, internal::parameter(np, internal_np::mesh_properties, Mesh_properties())),
+            internal::binary_mode(np));
 }
 
 /// \ingroup PkgSimpleManifoldsIO

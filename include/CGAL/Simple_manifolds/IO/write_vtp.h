@@ -12,14 +12,20 @@
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/Byte_buffer.h>
 #include <CGAL/Simple_manifolds/IO/internal/chart_parts.h>
+#include <CGAL/Simple_manifolds/IO/internal/scalar_types.h>
+#include <CGAL/Simple_manifolds/Mesh_properties.h>
 
 #include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 /// \file
 
@@ -27,6 +33,19 @@ namespace CGAL {
 namespace Simple_manifolds {
 
 namespace internal {
+
+// A text as the value of an attribute in XML.
+inline std::string xml_text(const std::string& text)
+{
+  std::string xml;
+  for (const char c : text)
+    if (c == '&' || c == '<' || c == '>' || c == '"' || static_cast<unsigned char>(c) < ' ')
+      xml +=
+        "&#" + std::to_string((std::max)(static_cast<int>(c), 32)) + ';'; // XML has no control characters
+    else
+      xml += c;
+  return xml;
+}
 
 // The arrays of a VTK file: their XML elements, and the data that are appended to the XML.
 class Vtk_arrays {
@@ -61,6 +80,23 @@ public:
                    [&](Byte_buffer& out, std::size_t i) { out.add(std::int32_t(f(i))); });
   }
 
+  // Properties of elements, under names that are not `taken`.
+  std::string properties(const std::vector<Mesh_property>& properties, std::set<std::string> taken)
+  {
+    std::string xml;
+    for (const Mesh_property& p : properties) {
+      std::string name = p.name;
+      while (!taken.insert(name).second) name += "_of_input";
+      const Scalar_type t = written_type(p);
+      xml += element(xml_text(name), traits_of(t).in_vtk, p.components, p.size(),
+                     [&](Byte_buffer& out, std::size_t i) {
+                       for (std::size_t k = 0; k < static_cast<std::size_t>(p.components); ++k)
+                         out.add(t, p(i, k));
+                     });
+    }
+    return xml;
+  }
+
   const Byte_buffer& data() const { return data_; }
 
 private:
@@ -87,6 +123,7 @@ inline std::string vtk_part_names(const Charted_mesh& mesh)
 /// Writes a mesh as a VTK XML file of polygonal data (.vtp), for ParaView: per point the normal, if there
 /// is one, `chart`, `uv` (the coordinates in that chart) and all fields, per cell `chart`; in double precision. Of
 /// several parts, points and cells also have `part`, from 1, and the array `part_names` of the field data has the names.
+/// Each property is an array, with the suffix `_of_input` where the name is used already.
 ///
 /// \pre `mesh.is_valid()`
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
@@ -116,10 +153,14 @@ inline void write_vtp(const std::string& file, const Charted_mesh& mesh)
                           [&](internal::Byte_buffer& out, std::size_t v) { out.add(field.values[v]); });
   const internal::Part_numbers part(mesh);
   if (!mesh.parts.empty()) xml += arrays.integers("part", n, [&](std::size_t v) { return part.vertices[v]; });
+  std::set<std::string> taken = {"normal", "chart", "uv", "part"};
+  for (const Charted_mesh::Field& field : mesh.fields) taken.insert(field.name);
+  xml += arrays.properties(mesh.properties.vertex, std::move(taken));
   xml += "</PointData>\n<CellData Scalars=\"chart\">\n";
   xml += arrays.integers("chart", m, [&](std::size_t f) { return mesh.charts[f]; });
   if (!mesh.parts.empty())
     xml += arrays.integers("part", m, [&](std::size_t f) { return part.triangles[f]; });
+  xml += arrays.properties(mesh.properties.face, {"chart", "part"});
   xml += "</CellData>\n<Points>\n" + arrays.vectors("points", mesh.points) + "</Points>\n<Polys>\n";
   xml += arrays.integers("connectivity", 3 * m, [&](std::size_t i) { return mesh.triangles[i / 3][i % 3]; });
   xml += arrays.integers("offsets", m, [&](std::size_t f) { return 3 * (f + 1); });

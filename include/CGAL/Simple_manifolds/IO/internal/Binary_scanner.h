@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_BINARY_SCANNER_H
 
 #include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/IO/internal/scalar_types.h>
 #include <CGAL/Simple_manifolds/Mesh_properties.h>
 
 #include <algorithm>
@@ -22,24 +23,6 @@
 namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
-
-inline std::size_t size_of(Scalar_type t)
-{
-  switch (t) {
-  case Scalar_type::INT8:
-  case Scalar_type::UINT8:
-    return 1;
-  case Scalar_type::INT16:
-  case Scalar_type::UINT16:
-    return 2;
-  case Scalar_type::INT32:
-  case Scalar_type::UINT32:
-  case Scalar_type::FLOAT32:
-    return 4;
-  default:
-    return 8;
-  }
-}
 
 // The numbers in a sequence of bytes, of either byte order; errors name the byte.
 class Binary_scanner {

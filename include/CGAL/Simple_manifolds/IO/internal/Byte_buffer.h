@@ -8,6 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_BYTE_BUFFER_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_BYTE_BUFFER_H
 
+#include <CGAL/Simple_manifolds/IO/internal/scalar_types.h>
+#include <CGAL/Simple_manifolds/Mesh_properties.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -26,6 +29,16 @@ public:
   void add(float x) { add_bits(bits_of<std::uint32_t>(x), 4); }
   void add(double x) { add_bits(bits_of<std::uint64_t>(x), 8); }
   void add(const std::string& bytes) { bytes_ += bytes; }
+  // A number as the type stores it.
+  void add(Scalar_type t, double x)
+  {
+    if (t == Scalar_type::FLOAT64)
+      add(x);
+    else if (t == Scalar_type::FLOAT32)
+      add(static_cast<float>(x));
+    else
+      add_bits(static_cast<std::uint64_t>(static_cast<std::int64_t>(x)), static_cast<int>(size_of(t)));
+  }
 
   // Fills up to a multiple of four bytes.
   void align(char filling = '\0') { bytes_.resize((bytes_.size() + 3) / 4 * 4, filling); }

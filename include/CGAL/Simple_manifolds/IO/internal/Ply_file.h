@@ -72,7 +72,8 @@ public:
     return vertex_columns_[at].values;
   }
 
-  // The positions of the vertices, the faces, and the other properties; to be called once, and last.
+  // The positions of the vertices, the faces, and the other properties, without those that make a map; to be called once,
+  // and last.
   File_mesh mesh()
   {
     const std::vector<double>&x = vertex_property("x"), &y = vertex_property("y"), &z = vertex_property("z");
@@ -82,6 +83,10 @@ public:
     for (std::size_t v = 0; v < x.size(); ++v) mesh_.points.emplace_back(x[v], y[v], z[v]);
     for (const char* name : {"x", "y", "z"})
       vertex_columns_.erase(vertex_columns_.begin() + std::ptrdiff_t(find_column(vertex_columns_, name)));
+    const auto& comments = header_.comments;
+    if (std::find(comments.begin(), comments.end(), "simple_manifolds map") != comments.end())
+      for (std::vector<Mesh_property>* columns : {&vertex_columns_, &face_columns_})
+        columns->erase(std::remove_if(columns->begin(), columns->end(), is_of_map), columns->end());
     mesh_.properties.vertex = properties_of_columns(std::move(vertex_columns_));
     mesh_.properties.face = properties_of_columns(std::move(face_columns_));
     return std::move(mesh_);
@@ -171,6 +176,12 @@ private:
         else if (is_corners)
           mesh_.end_face();
       }
+  }
+
+  static bool is_of_map(const Mesh_property& p)
+  {
+    return p.name == "input_vertex" || p.name == "chart" ||
+           (p.name.compare(0, 7, "domain_") == 0 && p.name.find("_of_input") == std::string::npos);
   }
 
   // The place of a property by its name, which may be written in another case; else their number.

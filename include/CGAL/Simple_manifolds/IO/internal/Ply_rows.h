@@ -8,6 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_PLY_ROWS_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_PLY_ROWS_H
 
+#include <CGAL/Simple_manifolds/IO/internal/scalar_types.h>
+#include <CGAL/Simple_manifolds/Mesh_properties.h>
+
 #include <charconv>
 #include <cstdint>
 #include <cstring>
@@ -18,8 +21,9 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-// The shortest text that reads back as the same double.
-inline std::string shortest(double x)
+// The shortest text that reads back as the same number.
+template <class Real>
+std::string shortest(Real x)
 {
   char text[32];
   return std::string(text, std::to_chars(text, text + sizeof text, x).ptr);
@@ -45,6 +49,21 @@ public:
   }
 
   void value(int x) { is_binary_ ? bytes(std::uint32_t(x), 4) : text(std::to_string(x)); }
+  // A number as the type stores it, of those that PLY has.
+  void value(Scalar_type t, double x)
+  {
+    if (t == Scalar_type::FLOAT64) return value(x);
+    if (t == Scalar_type::FLOAT32) {
+      const auto rounded = static_cast<float>(x);
+      if (!is_binary_) return text(shortest(rounded));
+      std::uint32_t bits;
+      std::memcpy(&bits, &rounded, sizeof bits);
+      return bytes(bits, 4);
+    }
+    const auto i = static_cast<std::int64_t>(x);
+    is_binary_ ? bytes(static_cast<std::uint64_t>(i), static_cast<int>(size_of(t))) : text(std::to_string(i));
+  }
+
   void list_length(unsigned char n) { is_binary_ ? bytes(n, 1) : text(std::to_string(n)); }
 
   template <class Vector>
