@@ -15,7 +15,7 @@ namespace tools {
 Command_line::Command_line(std::string synopsis, std::string summary)
   : synopsis_(std::move(synopsis)), summary_(std::move(summary)), options_("Options", 100)
 {
-  add("output,o", po::value<std::string>()->required(), "where to write (required)");
+  add("output,o", po::value<std::string>(), "where to write (required)");
   add("method", po::value<std::string>()->default_value("certified"),
       "how to map: certified, or paper (Grimm 2002), which may fail; the result is certified either way");
   add("repair", po::bool_switch(),
@@ -63,6 +63,8 @@ void Command_line::parse(int argc, char** argv)
     throw Done();
   }
   if (!values_.count("input")) throw Usage_error("no INPUT is given");
+  const bool is_inspection = values_.count("inspect") && get<bool>("inspect");
+  if (!values_.count("output") && !is_inspection) throw po::required_option("--output");
   po::notify(values_);
   require_choice("method", {"certified", "paper"});
   require_choice("close-borders", {"none", "small", "inner", "all"});

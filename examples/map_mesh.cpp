@@ -1,5 +1,6 @@
 // Maps a mesh one to one onto the canonical surface of its genus and writes the map as a PLY file.
 
+#include "inspect.h"
 #include "program_tools.h"
 #include "square_corners.h"
 
@@ -55,7 +56,7 @@ int main(int argc, char** argv)
 {
   return run("map_mesh", [&]() -> int {
     Command_line options(
-      "map_mesh INPUT -o OUT.ply [options]",
+      "map_mesh INPUT -o OUT.ply [options], or map_mesh INPUT --inspect [--json]",
       "Maps a mesh (OFF, OBJ, PLY, STL; closed of genus 0 or 1, or a disk) one to one onto the unit sphere,\n"
       "the flat torus or the unit square, and writes the map.\n"
       "Exit status: 0 success, 2 usage, or the file cannot be written, 3 unreadable input, 4 unsupported\n"
@@ -73,6 +74,7 @@ int main(int argc, char** argv)
     options.add("refine", po::bool_switch(), "split edges so that every star lies in a chart");
     options.add("metrics", po::value<std::string>(), "also write figures to this JSON file");
     options.add("report", po::value<std::string>(), "also write a page that shows the map in a browser");
+    add_inspect_options(options);
     options.parse(argc, argv);
     options.require_choice("energy", {"symmetric_dirichlet", "amips"});
     const double lambda = options.get<double>("lambda");
@@ -84,6 +86,7 @@ int main(int argc, char** argv)
     const bool is_amips = options.get<std::string>("energy") == "amips";
     if (options.has("report") && !has_report)
       throw Usage_error("--report needs zlib and three.js, which were missing when map_mesh was built");
+    if (is_inspection(options)) return inspect(options);
     const bool is_quiet = options.get<bool>("quiet");
     require_outputs(options);
 

@@ -42,6 +42,7 @@
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
 #include <CGAL/Simple_manifolds/correspondence/criteria.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
+#include <CGAL/Simple_manifolds/correspondence/inspect_mesh.h>
 #include <CGAL/Simple_manifolds/correspondence/map_components.h>
 #include <CGAL/Simple_manifolds/correspondence/map_properties.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>

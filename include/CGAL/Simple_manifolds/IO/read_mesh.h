@@ -71,6 +71,15 @@ inline Mesh_topology topology_of_repaired(const std::string& file, const Mesh_so
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
+/// The points and faces that a file holds, as they stand in it, for `repair_soup()` and `inspect_soup()`. Corners of an
+/// STL with equal coordinates are one vertex.
+/// \param file  as for `read_mesh()`
+/// \throw IO_error when the file is missing, empty, truncated, of another format, or refers to a vertex that does not
+///   exist
+inline Mesh_soup read_soup(const std::string& file) { return internal::read_file_mesh(file); }
+
+/// \ingroup PkgSimpleManifoldsIO
+///
 /// Reads a mesh from an OFF, OBJ, PLY or STL file, compressed by gzip or not, repairs it, and adds it to `mesh`. The whole
 /// file is checked before anything is added, so that `mesh` is as it was when an error is thrown; memory and time are
 /// linear in the size of the file, whatever its header says. Isolated vertices are kept. Corners of an

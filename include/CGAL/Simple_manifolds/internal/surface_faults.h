@@ -10,7 +10,10 @@
 
 #include <CGAL/Simple_manifolds/Mesh_soup.h>
 #include <CGAL/Simple_manifolds/Surface_faults.h>
+#include <CGAL/Simple_manifolds/internal/Components.h>
 #include <CGAL/Simple_manifolds/internal/compiled.h>
+
+#include <vector>
 
 namespace CGAL {
 namespace Simple_manifolds {
@@ -19,6 +22,11 @@ namespace internal {
 // All that is wrong with a soup.
 // knows_points: whether its points are those of the mesh, or only as many.
 CGAL_SIMPLE_MANIFOLDS_INLINE Surface_faults surface_faults(const Mesh_soup& soup, bool knows_points = true);
+
+// The same; and for each component what is wrong with it.
+CGAL_SIMPLE_MANIFOLDS_INLINE Surface_faults surface_faults(const Mesh_soup& soup,
+                                                           const Components& components,
+                                                           std::vector<Surface_faults>& of_component);
 
 } // namespace internal
 } // namespace Simple_manifolds

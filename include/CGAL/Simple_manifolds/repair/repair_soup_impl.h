@@ -73,36 +73,38 @@ inline Surface_faults remaining_faults(const Soup_in_repair& r)
   return faults;
 }
 
-// Drops degenerate and duplicate faces.
+// Drops degenerate and duplicate faces, and copies of components.
 inline void drop_faces(Soup_in_repair& r, const Repair_options& options)
 {
   if (options.drop_degenerate) drop_degenerate_faces(r);
-  while (options.drop_duplicates && drop_duplicate_faces(r)) {
+  if (!options.drop_duplicates) return;
+  while (drop_duplicate_faces(r)) {
   }
+  drop_copies(r);
 }
 
-// Welds, and drops what becomes degenerate or a duplicate, until nothing changes. Returns whether anything was joined.
+// Drops faces and welds until nothing changes: each round has fewer vertices with faces. Returns whether anything was
+// joined.
 // is_joined: the vertices that have no face any more.
-inline bool weld(Soup_in_repair& r, const Repair_options& options, std::vector<char>& is_joined)
+inline bool drop_and_weld(Soup_in_repair& r, const Repair_options& options, std::vector<char>& is_joined)
 {
-  if (!options.weld_distance) return false;
-  const double distance = *options.weld_distance * diagonal_of_faces(r.soup);
-  for (bool has_joined = false;; has_joined = true) { // each round has fewer vertices
-    r.report.left.coincident_borders = {};
-    if (!Border_welder(r, distance)(is_joined)) return has_joined;
+  for (bool has_joined = false;; has_joined = true) {
     drop_faces(r, options);
+    if (!options.weld_distance) return false;
+    r.report.left.coincident_borders = {};
+    if (!Border_welder(r, *options.weld_distance * diagonal_of_faces(r.soup))(is_joined)) return has_joined;
   }
 }
 
 // Cuts. What is border then may coincide with other border, and is welded; to be on the safe side not for ever.
 inline void cut(Soup_in_repair& r, const Repair_options& options, std::vector<char>& is_joined)
 {
-  for (int rounds = 8;; --rounds) {
+  for (int rounds = 8; rounds > 0; --rounds) {
     cut_non_manifold(r);
-    drop_faces(r, options); // both sides of a triangle that was stuck to a body
-    if (options.drop_duplicates) drop_copies(r);
-    if (rounds == 0 || !weld(r, options, is_joined)) return;
+    if (!drop_and_weld(r, options, is_joined)) return;
   }
+  cut_non_manifold(r);
+  drop_faces(r, options);
 }
 
 CGAL_SIMPLE_MANIFOLDS_INLINE Mesh_soup repair_soup(Mesh_soup input, const Repair_options& options,
@@ -112,10 +114,8 @@ CGAL_SIMPLE_MANIFOLDS_INLINE Mesh_soup repair_soup(Mesh_soup input, const Repair
   Soup_in_repair r(std::move(input));
   r.report.unused_vertices = number_of_unused_vertices(r.soup);
   if (options.drop_non_finite) drop_non_finite_faces(r);
-  drop_faces(r, options);
-  if (options.drop_duplicates) drop_copies(r);
   std::vector<char> is_joined;
-  weld(r, options, is_joined);
+  drop_and_weld(r, options, is_joined);
   if (options.cut_non_manifold) {
     cut(r, options, is_joined);
   } else if (options.face_orientation != Face_orientation::AS_IS) {

@@ -8,7 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_REPAIR_INTERNAL_DROP_COPIES_H
 #define CGAL_SIMPLE_MANIFOLDS_REPAIR_INTERNAL_DROP_COPIES_H
 
-#include <CGAL/Simple_manifolds/repair/internal/Components.h>
+#include <CGAL/Simple_manifolds/internal/Components.h>
 #include <CGAL/Simple_manifolds/repair/internal/Soup_in_repair.h>
 
 #include <Eigen/Core>

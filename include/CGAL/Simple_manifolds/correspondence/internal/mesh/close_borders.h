@@ -36,6 +36,9 @@ inline Eigen::Vector3d centre_of_loop(const std::vector<Eigen::Vector3d>& points
   return centre;
 }
 
+// What Close_borders::SMALL closes: cones of at most this share of the area of the mesh.
+inline constexpr double small_share_of_area = 1e-3;
+
 // Whether the cone over a loop has at most a thousandth of the area of the mesh.
 class Small_loops {
 public:
@@ -50,7 +53,7 @@ public:
     double cone = 0;
     for (std::size_t i = 0; i < loop.size(); ++i)
       cone += area(points_[loop[i]], points_[loop[(i + 1) % loop.size()]], centre);
-    return cone <= 1e-3 * area_;
+    return cone <= small_share_of_area * area_;
   }
 
 private:

@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_REPAIR_INTERNAL_COMPONENTS_H
-#define CGAL_SIMPLE_MANIFOLDS_REPAIR_INTERNAL_COMPONENTS_H
+#ifndef CGAL_SIMPLE_MANIFOLDS_INTERNAL_COMPONENTS_H
+#define CGAL_SIMPLE_MANIFOLDS_INTERNAL_COMPONENTS_H
 
 #include <CGAL/Simple_manifolds/Mesh_soup.h>
 #include <CGAL/Simple_manifolds/internal/Union_find.h>
@@ -59,4 +59,4 @@ struct Components {
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_REPAIR_INTERNAL_COMPONENTS_H
+#endif // CGAL_SIMPLE_MANIFOLDS_INTERNAL_COMPONENTS_H
