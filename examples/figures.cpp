@@ -57,6 +57,8 @@ private:
                    count(input["genus"]) + (input["inward_oriented"] ? ", inward oriented" : ""));
     if (metrics_.contains("repair") && metrics_["repair"].contains("sentence"))
       line("repaired", metrics_["repair"]["sentence"]);
+    if (const std::string unit = input["unit"]; !unit.empty())
+      line("unit", unit + " in the file, not converted");
     for (const Json& warning : input["warnings"]) line("warning", warning["sentence"]);
     add_properties(input);
     if (const int unused = input["isolated_vertices"]; unused > 0)

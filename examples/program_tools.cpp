@@ -103,7 +103,8 @@ Json metrics_of_reading(const SM::Read_report& r)
   return {{"warnings", warnings},
           {"vertex_properties", names(r.properties.vertex)},
           {"face_properties", names(r.properties.face)},
-          {"dropped_properties", dropped}};
+          {"dropped_properties", dropped},
+          {"unit", r.unit}};
 }
 
 Json metrics_of_repair(const SM::Repair_report& r)

@@ -657,12 +657,4 @@ TEST_CASE("glTF and COLLADA are read with assimp")
 
 #endif
 
-TEST_CASE("3MF is refused")
-{
-  const Temporary_folder folder;
-  for (const char* name : {"a.3mf", "a.stl"})
-    CHECK_THROWS_WITH(SM::internal::read_file_mesh(folder.write(name, "PK\3\4" + std::string(40, '\1'))),
-                      Catch::Matchers::ContainsSubstring("3MF is not read"));
-}
-
 } // namespace test_file_formats

@@ -1,9 +1,10 @@
 // Whatever the bytes, a reader returns what it read or throws an error of the package.
 //
 // scripts/fuzz makes a libFuzzer program of this file and replay.cpp a test. The environment's FUZZ_FORMAT is
-// off, obj, stl, ply, vtk, vtp, gii, freesurfer (meshes), map (a PLY file with a map) or surface (JSON and CBOR).
+// off, obj, stl, ply, vtk, vtp, gii, freesurfer, 3mf (meshes), map (a PLY file with a map) or surface (JSON and CBOR).
 
 #include <CGAL/Simple_manifolds/IO/internal/Ply_file.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_3mf.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_freesurfer.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_gifti.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_obj.h>
@@ -20,7 +21,9 @@
 #include <cstdlib>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace SM = CGAL::Simple_manifolds;
 
@@ -43,6 +46,16 @@ void vtk(const std::string& bytes) { check_mesh(SM::internal::read_vtk(file, byt
 void vtp(const std::string& bytes) { check_mesh(SM::internal::read_vtk_xml(file, bytes)); }
 void gii(const std::string& bytes) { check_mesh(SM::internal::read_gifti(file, bytes)); }
 void freesurfer(const std::string& bytes) { check_mesh(SM::internal::read_freesurfer(file, bytes)); }
+
+// An archive, or the model in one: in an archive the checksum would refuse nearly all changes.
+void three_mf(const std::string& bytes)
+{
+  if (bytes.compare(0, 2, "PK") == 0) return check_mesh(SM::internal::read_3mf(file, bytes));
+  const auto part = [&](std::string_view path) {
+    return path == "_rels/.rels" ? std::nullopt : std::optional<std::string>(bytes);
+  };
+  check_mesh(SM::internal::Three_mf_reader(file, part, bytes.size()).read());
+}
 
 // What a map file holds may be a bijection: then both directions have to work.
 template <class Atlas>
@@ -98,12 +111,12 @@ void (*reader())(const std::string&)
 {
   const char* format = std::getenv("FUZZ_FORMAT");
   const std::map<std::string, void (*)(const std::string&)> readers = {
-    {"off", off},      {"obj", obj},        {"stl", stl}, {"ply", ply},
-    {"vtk", vtk},      {"vtp", vtp},        {"gii", gii}, {"freesurfer", freesurfer},
-    {"map", read_map}, {"surface", surface}};
+    {"off", off},      {"obj", obj},      {"stl", stl},        {"ply", ply},
+    {"vtk", vtk},      {"vtp", vtp},      {"gii", gii},        {"freesurfer", freesurfer},
+    {"3mf", three_mf}, {"map", read_map}, {"surface", surface}};
   const auto found = readers.find(format ? format : "");
   if (found == readers.end()) {
-    std::cerr << "FUZZ_FORMAT has to be off, obj, stl, ply, vtk, vtp, gii, freesurfer, map or surface\n";
+    std::cerr << "FUZZ_FORMAT has to be off, obj, stl, ply, vtk, vtp, gii, freesurfer, 3mf, map or surface\n";
     std::exit(2);
   }
   return found->second;

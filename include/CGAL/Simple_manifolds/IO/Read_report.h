@@ -11,6 +11,7 @@
 #include <CGAL/Simple_manifolds/IO/Read_warning.h>
 #include <CGAL/Simple_manifolds/Mesh_properties.h>
 
+#include <string>
 #include <vector>
 
 /// \file
@@ -27,6 +28,8 @@ struct Read_report {
   /// Those of the mesh that was read, after the repair, in its order of vertices and faces. A vertex to which others were
   /// welded has the values of the first of them; vertices that the repair has added have NaN.
   Mesh_properties properties;
+  /// The unit of lengths that the file names (3MF files do, e.g. `millimeter`); empty otherwise. Nothing is converted.
+  std::string unit;
 };
 
 } // namespace Simple_manifolds

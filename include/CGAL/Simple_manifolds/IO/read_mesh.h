@@ -80,7 +80,8 @@ inline Mesh_soup read_soup(const std::string& file) { return internal::read_file
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// Reads a mesh from an OFF, OBJ, PLY or STL file, compressed by gzip or not, repairs it, and adds it to `mesh`. The whole
+/// Reads a mesh from an OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer or 3MF file, compressed by gzip or not, or with assimp
+/// (target `CGAL::Simple_manifolds_assimp`) from a glTF or COLLADA file, repairs it, and adds it to `mesh`. The whole
 /// file is checked before anything is added, so that `mesh` is as it was when an error is thrown; memory and time are
 /// linear in the size of the file, whatever its header says. Isolated vertices are kept. Corners of an
 /// STL with equal coordinates become one vertex.
@@ -93,7 +94,7 @@ inline Mesh_soup read_soup(const std::string& file) { return internal::read_file
 /// it had: those that were added are removed again, which a `Surface_mesh` counts as garbage.
 ///
 /// \param file  text or binary, of any extension: the contents say the format, and the extension where they leave a
-///        doubt. Compressed files need zlib (target `CGAL::Simple_manifolds_ZLIB`)
+///        doubt. Compressed files and 3MF need zlib (target `CGAL::Simple_manifolds_ZLIB`)
 /// \param mesh  a model of `MutableFaceGraph`; it receives the vertices and faces in the file's order
 /// \param np  named parameters
 /// \cgalNamedParamsBegin
@@ -127,7 +128,7 @@ Mesh_topology read_mesh(const std::string& file, MutableFaceGraph& mesh,
   internal::File_mesh contents = internal::read_file_mesh(file);
   Read_report own_read_report;
   Read_report& read = internal::parameter(np, internal_np::read_report, own_read_report);
-  read = Read_report{std::move(contents.warnings), std::move(contents.properties)};
+  read = Read_report{std::move(contents.warnings), std::move(contents.properties), std::move(contents.unit)};
   Repair_report own_report;
   Repair_report& report = internal::parameter(np, internal_np::repair_report, own_report);
   const Mesh_soup soup = internal::repair_soup(std::move(contents), internal::repair_options(np), report);

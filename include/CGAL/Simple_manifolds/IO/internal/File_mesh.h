@@ -27,6 +27,7 @@ namespace internal {
 class File_mesh : public Mesh_soup {
 public:
   Mesh_properties properties;
+  std::string unit;                   // of lengths, if the file names one
   bool is_single_precision = false;   // whether the coordinates are stored with 32 bits
   std::vector<Read_warning> warnings; // at most one of each kind, in the order of their first places
 

@@ -14,6 +14,7 @@
 #include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
 #include <CGAL/Simple_manifolds/IO/internal/file_contents.h>
 #include <CGAL/Simple_manifolds/IO/internal/inflate.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_3mf.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_file_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_freesurfer.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_gifti.h>
@@ -41,7 +42,7 @@ namespace Simple_manifolds {
 namespace internal {
 
 inline constexpr const char* formats_that_are_read =
-  "OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer; with assimp also glTF and COLLADA";
+  "OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer, 3MF; with assimp also glTF and COLLADA";
 
 inline const char* name_of(File_format format)
 {
@@ -61,6 +62,8 @@ inline const char* name_of(File_format format)
     return "GIfTI";
   case File_format::FREESURFER:
     return "a FreeSurfer surface";
+  case File_format::THREE_MF:
+    return "3MF";
   default:
     return "of a format of assimp";
   }
@@ -84,6 +87,8 @@ inline File_mesh read_bytes(const std::string& file, std::string_view bytes, Fil
     return read_gifti(file, bytes);
   case File_format::FREESURFER:
     return read_freesurfer(file, bytes);
+  case File_format::THREE_MF:
+    return read_3mf(file, bytes);
   default:
     return Ply_file(file, bytes).mesh();
   }
@@ -117,10 +122,6 @@ CGAL_SIMPLE_MANIFOLDS_INLINE File_mesh read_file_mesh(const std::string& file)
   const File_format of_contents = format_of_contents(bytes);
   const File_format format = of_contents == File_format::UNKNOWN ? of_name : of_contents;
   const std::string extension = extension_of(file);
-  // Of what assimp could read, too, only what it has been seen to survive: damaged or unusual 3MF ends the program in it.
-  if (format == File_format::OTHER && extension_of_contents(bytes, extension) == ".3mf")
-    throw IO_error(Error_code::unsupported_format, file,
-                   "3MF is not read: save the mesh as STL, OBJ, PLY or glTF");
   if (format == File_format::UNKNOWN)
     throw IO_error(Error_code::unsupported_format, file,
                    "neither the extension \"" + extension +
