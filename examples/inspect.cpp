@@ -78,7 +78,6 @@ struct Choice {
     if (plan->has_repair) text += " --repair";
     if (options.has("weld")) text += " --weld " + options.get<std::string>("weld");
     if (closing.which != SM::Close_borders::SMALL) text += std::string(" --close-borders ") + closing.name;
-    if (parts() > 1) text += " --components all";
     return text;
   }
 };

@@ -32,6 +32,7 @@
 
 #include <CGAL/Simple_manifolds/repair/Repair_options.h>
 #include <CGAL/Simple_manifolds/repair/Repair_report.h>
+#include <CGAL/Simple_manifolds/repair/repair_mesh.h>
 #include <CGAL/Simple_manifolds/repair/repair_soup.h>
 
 #include <CGAL/Simple_manifolds/correspondence/Component.h>

@@ -24,6 +24,8 @@
   X(drop_non_finite)     /* bool: faces with a corner that is NaN or infinite */                             \
   X(debris_share)        /* double in [0,1]: components below this share of the largest are dropped */       \
   X(repair_report)       /* std::reference_wrapper<Repair_report> */                                         \
+  X(input_vertex_map)    /* WritablePropertyMap vertex of a repaired mesh -> vertex of the input */          \
+  X(input_face_map)      /* WritablePropertyMap face of a repaired mesh -> face of the input */              \
   X(read_report)         /* std::reference_wrapper<Read_report> */                                           \
   X(mesh_properties)     /* Mesh_properties: what is written with a map, or goes to a tessellation */        \
   X(energy)              /* Energy: what a map minimises */                                                  \

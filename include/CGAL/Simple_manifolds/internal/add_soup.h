@@ -66,11 +66,12 @@ public:
     return faces_.back();
   }
 
-  void keep()
+  // Nothing is removed any more. Returns the faces.
+  auto keep()
   {
     vertices_.clear();
     edges_.clear();
-    faces_.clear();
+    return std::exchange(faces_, {});
   }
 
 private:
@@ -81,11 +82,12 @@ private:
 };
 
 // Adds the vertices and the faces of a soup to a mesh, in their order; the mesh has the elements that it had when
-// anything is thrown. set_vertex(i, v) sets what belongs to vertex i. The result is the one of
-// CGAL::Euler::add_faces(), which would have to search for the edges.
+// anything is thrown. set_vertex(i, v) sets what belongs to vertex i. The mesh is then what CGAL::Euler::add_faces() would
+// make, which would have to search for the edges.
+// Returns the faces.
 // Precondition: the soup is a surface, with these opposite half-edges.
 template <class Soup, class MutableFaceGraph, class SetVertex>
-void add_soup(const Soup& soup, const std::vector<int>& opposites, MutableFaceGraph& mesh,
+auto add_soup(const Soup& soup, const std::vector<int>& opposites, MutableFaceGraph& mesh,
               const SetVertex& set_vertex)
 {
   using Graph_traits = boost::graph_traits<MutableFaceGraph>;
@@ -129,7 +131,7 @@ void add_soup(const Soup& soup, const std::vector<int>& opposites, MutableFaceGr
       set_next(opposite(half_edge[next_on_border(soup, opposites, h)], mesh), opposite(half_edge[h], mesh),
                mesh);
   }
-  added.keep();
+  return added.keep();
 }
 
 } // namespace internal
