@@ -61,24 +61,27 @@ public:
 
   /// \name Numbers
   /// @{
-  int number_of_vertices() const { return static_cast<int>(points.size()); }
-  int number_of_faces() const { return static_cast<int>(start_.size()) - 1; }
-  int number_of_half_edges() const { return start_.back(); }
+  int number_of_vertices() const { return static_cast<int>(points.size()); }  ///< all points
+  int number_of_faces() const { return static_cast<int>(start_.size()) - 1; } ///< all faces
+  int number_of_half_edges() const { return start_.back(); }                  ///< as many as corners
   /// @}
 
   /// \name Half-edges
   /// @{
 
-  /// The first and the last of a face.
+  /// The first one of a face.
   int first(int f) const { return start_[f]; }
+  /// The last one of a face.
   int last(int f) const { return start_[f + 1] - 1; }
   /// The face of a half-edge.
   int face(int h) const { return face_[h]; }
-  /// The next and the previous one in its face.
+  /// The next one in its face.
   int next(int h) const { return h == last(face_[h]) ? first(face_[h]) : h + 1; }
+  /// The previous one in its face.
   int previous(int h) const { return h == first(face_[h]) ? last(face_[h]) : h - 1; }
-  /// The vertices at its ends.
+  /// The vertex where it begins.
   int source(int h) const { return source_[h]; }
+  /// The vertex where it ends.
   int target(int h) const { return source_[next(h)]; }
   /// @}
 
@@ -95,12 +98,13 @@ public:
     source_.reserve(3 * n);
     face_.reserve(3 * n);
   }
-  /// A corner of the face that is being added; the face is complete with `end_face()`.
+  /// A corner of the face that is being added.
   void add_corner(int v)
   {
     source_.push_back(v);
     face_.push_back(number_of_faces());
   }
+  /// The face that is being added is complete.
   void end_face() { start_.push_back(static_cast<int>(source_.size())); }
   /// Another vertex for a corner.
   void set_source(int h, int v) { source_[h] = v; }
