@@ -4,7 +4,7 @@
 # Optional: nlohmann_json  -> CGAL::Simple_manifolds_IO       (files of surfaces and metrics)
 #           libpng         -> CGAL::Simple_manifolds_PNG      (images of textures)
 #           zlib           -> CGAL::Simple_manifolds_ZLIB     (compressed meshes, 3MF)
-#           assimp         -> CGAL::Simple_manifolds_assimp   (glTF and COLLADA meshes)
+#           assimp         -> CGAL::Simple_manifolds_assimp   (glTF meshes)
 #           zlib, three.js -> CGAL::Simple_manifolds_report   (pages that show maps and surfaces)
 #           CHOLMOD        -> CGAL::Simple_manifolds_CHOLMOD  (faster sparse least squares)
 #           oneTBB         -> CGAL::TBB_support               (CGAL::Parallel_tag)

@@ -1,10 +1,11 @@
 // Whatever the bytes, a reader returns what it read or throws an error of the package.
 //
 // scripts/fuzz makes a libFuzzer program of this file and replay.cpp a test. The environment's FUZZ_FORMAT is
-// off, obj, stl, ply, vtk, vtp, gii, freesurfer, 3mf (meshes), map (a PLY file with a map) or surface (JSON and CBOR).
+// off, obj, stl, ply, vtk, vtp, gii, freesurfer, 3mf, dae (meshes), map (a PLY file with a map) or surface (JSON and CBOR).
 
 #include <CGAL/Simple_manifolds/IO/internal/Ply_file.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_3mf.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_collada.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_freesurfer.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_gifti.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_obj.h>
@@ -46,6 +47,8 @@ void vtk(const std::string& bytes) { check_mesh(SM::internal::read_vtk(file, byt
 void vtp(const std::string& bytes) { check_mesh(SM::internal::read_vtk_xml(file, bytes)); }
 void gii(const std::string& bytes) { check_mesh(SM::internal::read_gifti(file, bytes)); }
 void freesurfer(const std::string& bytes) { check_mesh(SM::internal::read_freesurfer(file, bytes)); }
+
+void dae(const std::string& bytes) { check_mesh(SM::internal::read_collada(file, bytes)); }
 
 // An archive, or the model in one: in an archive the checksum would refuse nearly all changes.
 void three_mf(const std::string& bytes)
@@ -111,12 +114,13 @@ void (*reader())(const std::string&)
 {
   const char* format = std::getenv("FUZZ_FORMAT");
   const std::map<std::string, void (*)(const std::string&)> readers = {
-    {"off", off},      {"obj", obj},      {"stl", stl},        {"ply", ply},
-    {"vtk", vtk},      {"vtp", vtp},      {"gii", gii},        {"freesurfer", freesurfer},
-    {"3mf", three_mf}, {"map", read_map}, {"surface", surface}};
+    {"off", off},      {"obj", obj}, {"stl", stl},      {"ply", ply},
+    {"vtk", vtk},      {"vtp", vtp}, {"gii", gii},      {"freesurfer", freesurfer},
+    {"3mf", three_mf}, {"dae", dae}, {"map", read_map}, {"surface", surface}};
   const auto found = readers.find(format ? format : "");
   if (found == readers.end()) {
-    std::cerr << "FUZZ_FORMAT has to be off, obj, stl, ply, vtk, vtp, gii, freesurfer, 3mf, map or surface\n";
+    std::cerr
+      << "FUZZ_FORMAT has to be off, obj, stl, ply, vtk, vtp, gii, freesurfer, 3mf, dae, map or surface\n";
     std::exit(2);
   }
   return found->second;

@@ -28,7 +28,7 @@ struct Read_report {
   /// Those of the mesh that was read, after the repair, in its order of vertices and faces. A vertex to which others were
   /// welded has the values of the first of them; vertices that the repair has added have NaN.
   Mesh_properties properties;
-  /// The unit of lengths that the file names (3MF files do, e.g. `millimeter`); empty otherwise. Nothing is converted.
+  /// The unit of lengths that the file names (3MF and COLLADA files do, e.g. `millimeter`); empty otherwise. Nothing is converted.
   std::string unit;
 };
 

@@ -80,8 +80,8 @@ inline Mesh_soup read_soup(const std::string& file) { return internal::read_file
 
 /// \ingroup PkgSimpleManifoldsIO
 ///
-/// Reads a mesh from an OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer or 3MF file, compressed by gzip or not, or with assimp
-/// (target `CGAL::Simple_manifolds_assimp`) from a glTF or COLLADA file, repairs it, and adds it to `mesh`. The whole
+/// Reads a mesh from an OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer, 3MF or COLLADA file, compressed by gzip or not, or
+/// with assimp (target `CGAL::Simple_manifolds_assimp`) from a glTF file, repairs it, and adds it to `mesh`. The whole
 /// file is checked before anything is added, so that `mesh` is as it was when an error is thrown; memory and time are
 /// linear in the size of the file, whatever its header says. Isolated vertices are kept. Corners of an
 /// STL with equal coordinates become one vertex.

@@ -23,8 +23,20 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-// OTHER: one that assimp may read.
-enum class File_format { UNKNOWN, OFF, OBJ, PLY, STL, VTK, VTK_XML, GIFTI, FREESURFER, THREE_MF, OTHER };
+enum class File_format {
+  UNKNOWN,
+  OFF,
+  OBJ,
+  PLY,
+  STL,
+  VTK,
+  VTK_XML,
+  GIFTI,
+  FREESURFER,
+  THREE_MF,
+  COLLADA,
+  GLTF
+};
 
 // The extension of a file, with its point; `.gz` at the end is passed over.
 inline std::string extension_of(const std::string& file)
@@ -48,14 +60,9 @@ inline File_format format_of_name(const std::string& file)
   if (is(".gii")) return File_format::GIFTI;
   if (is(".asc")) return File_format::FREESURFER;
   if (is(".3mf")) return File_format::THREE_MF;
-  if (is(".glb") || is(".gltf") || is(".dae")) return File_format::OTHER;
+  if (is(".dae")) return File_format::COLLADA;
+  if (is(".glb") || is(".gltf")) return File_format::GLTF;
   return File_format::UNKNOWN;
-}
-
-// The extension of what assimp reads, by its contents, or else the one that it has.
-inline std::string extension_of_contents(std::string_view bytes, const std::string& extension)
-{
-  return bytes.substr(0, 4) == "glTF" ? ".glb" : bytes.find("<COLLADA") < 4096 ? ".dae" : extension;
 }
 
 // Whether a text begins as an OBJ: a statement of one, and a vertex `v x y z` among its first lines.
@@ -86,12 +93,12 @@ inline File_format format_of_contents(std::string_view bytes)
   if (text.substr(0, 22) == "# vtk DataFile Version") return File_format::VTK;
   if (is_freesurfer_binary(bytes) || is_freesurfer_ascii(bytes)) return File_format::FREESURFER;
   if (text.substr(0, 4) == "PK\3\4") return File_format::THREE_MF;
-  if (text.substr(0, 4) == "glTF") return File_format::OTHER;
+  if (text.substr(0, 4) == "glTF") return File_format::GLTF;
   if (text.substr(0, 1) == "<") {
     const std::string_view head = text.substr(0, 4096);
     return head.find("<VTKFile") != head.npos   ? File_format::VTK_XML
            : head.find("<GIFTI") != head.npos   ? File_format::GIFTI
-           : head.find("<COLLADA") != head.npos ? File_format::OTHER
+           : head.find("<COLLADA") != head.npos ? File_format::COLLADA
                                                 : File_format::UNKNOWN;
   }
   if (begins_with("ply")) return File_format::PLY;

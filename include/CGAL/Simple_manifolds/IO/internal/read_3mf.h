@@ -10,13 +10,13 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/internal/File_mesh.h>
+#include <CGAL/Simple_manifolds/IO/internal/Placement.h>
 #include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
 #include <CGAL/Simple_manifolds/IO/internal/Xml_scanner.h>
 #include <CGAL/Simple_manifolds/IO/internal/Zip_archive.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <cstddef>
 #include <functional>
@@ -60,17 +60,6 @@ private:
   static constexpr std::size_t most_faces = 1000000;
   static constexpr int most_levels = 100; // of components of components
 
-  struct Placement {
-    Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
-    Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-
-    Eigen::Vector3d operator()(const Eigen::Vector3d& x) const { return linear * x + shift; }
-    // First the other one.
-    Placement operator*(const Placement& other) const
-    {
-      return {linear * other.linear, (*this)(other.shift)};
-    }
-  };
   struct Reference {
     std::string path, id;
     Placement placement;
@@ -211,7 +200,7 @@ private:
     const Placement placement = outer * reference.placement;
     const std::size_t first = mesh_.points.size();
     for (const Eigen::Vector3d& x : object.points) mesh_.points.push_back(placement(x));
-    const bool is_mirrored = placement.linear.determinant() < 0;
+    const bool is_mirrored = placement.is_mirrored();
     for (const Triangle& t : object.faces) {
       for (const int k : {0, is_mirrored ? 2 : 1, is_mirrored ? 1 : 2}) {
         const int v = t[std::size_t(k)];

@@ -15,6 +15,7 @@
 #include <CGAL/Simple_manifolds/IO/internal/file_contents.h>
 #include <CGAL/Simple_manifolds/IO/internal/inflate.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_3mf.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_collada.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_file_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_freesurfer.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_gifti.h>
@@ -24,7 +25,7 @@
 #include <CGAL/Simple_manifolds/IO/internal/read_vtk.h>
 #include <CGAL/Simple_manifolds/IO/internal/read_vtk_xml.h>
 #ifdef CGAL_SIMPLE_MANIFOLDS_USE_ASSIMP
-#include <CGAL/Simple_manifolds/IO/internal/read_assimp.h>
+#include <CGAL/Simple_manifolds/IO/internal/read_gltf.h>
 #endif
 
 #include <Eigen/Core>
@@ -42,7 +43,7 @@ namespace Simple_manifolds {
 namespace internal {
 
 inline constexpr const char* formats_that_are_read =
-  "OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer, 3MF; with assimp also glTF and COLLADA";
+  "OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer, 3MF, COLLADA; with assimp also glTF";
 
 inline const char* name_of(File_format format)
 {
@@ -64,9 +65,14 @@ inline const char* name_of(File_format format)
     return "a FreeSurfer surface";
   case File_format::THREE_MF:
     return "3MF";
-  default:
-    return "of a format of assimp";
+  case File_format::COLLADA:
+    return "COLLADA";
+  case File_format::GLTF:
+    return "glTF";
+  case File_format::UNKNOWN:
+    break;
   }
+  return "of an unknown format";
 }
 
 // By the formats that are read here.
@@ -89,6 +95,8 @@ inline File_mesh read_bytes(const std::string& file, std::string_view bytes, Fil
     return read_freesurfer(file, bytes);
   case File_format::THREE_MF:
     return read_3mf(file, bytes);
+  case File_format::COLLADA:
+    return read_collada(file, bytes);
   default:
     return Ply_file(file, bytes).mesh();
   }
@@ -127,16 +135,14 @@ CGAL_SIMPLE_MANIFOLDS_INLINE File_mesh read_file_mesh(const std::string& file)
                    "neither the extension \"" + extension +
                      "\" nor the contents are those of a format that is read: " + formats_that_are_read);
   File_mesh mesh;
-  if (format != File_format::OTHER)
+  if (format != File_format::GLTF)
     mesh = read_bytes(file, bytes, format);
   else
 #ifdef CGAL_SIMPLE_MANIFOLDS_USE_ASSIMP
-    mesh = is_compressed || of_name != format
-             ? read_assimp(file, bytes, extension_of_contents(bytes, extension))
-             : read_assimp(file, std::string_view(), extension);
+    mesh = read_gltf(file, bytes, is_compressed || of_name != format);
 #else
     throw IO_error(Error_code::unsupported_format, file,
-                   "glTF and COLLADA are read with assimp, and this program was built without it");
+                   "glTF is read with assimp, and this program was built without it");
 #endif
   if (of_name != File_format::UNKNOWN && of_name != format)
     mesh.warn(Read_warning::OTHER_FORMAT, std::string("it is ") + name_of(format));

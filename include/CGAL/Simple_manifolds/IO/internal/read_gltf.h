@@ -5,13 +5,13 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_READ_ASSIMP_H
-#define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_READ_ASSIMP_H
+#ifndef CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_READ_GLTF_H
+#define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_READ_GLTF_H
 
 #include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/IO/internal/Binary_scanner.h>
 #include <CGAL/Simple_manifolds/IO/internal/File_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/Property_rows.h>
-#include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
 #include <CGAL/Simple_manifolds/Mesh_properties.h>
 
 #include <Eigen/Core>
@@ -115,18 +115,33 @@ private:
     uv_{"uv", 2, Scalar_type::FLOAT32};
 };
 
-// Any file that assimp reads. Some formats refer to other files, which are found beside `file`; but if the bytes are
-// given, they are what is read.
-inline File_mesh read_assimp(const std::string& file, std::string_view bytes, const std::string& extension)
+// Assimp takes the memory that a binary glTF announces before it looks whether there is so much.
+inline void require_complete_glb(const std::string& file, std::string_view bytes)
 {
-  // Formats whose corners have their own positions, normals and so on come with a vertex for each corner.
-  const bool has_vertices = is_same_word(extension, ".glb") || is_same_word(extension, ".gltf");
-  const unsigned flags =
-    aiProcess_ValidateDataStructure | (has_vertices ? 0u : unsigned(aiProcess_JoinIdenticalVertices));
-  const aiScene* const imported = bytes.empty()
-                                    ? aiImportFile(file.c_str(), flags)
-                                    : aiImportFileFromMemory(bytes.data(), unsigned(bytes.size()), flags,
-                                                             extension.c_str() + (extension.empty() ? 0 : 1));
+  if (bytes.substr(0, 4) != "glTF") return;
+  Binary_scanner in(file, bytes, Binary_scanner::LITTLE_ENDIAN_BYTES);
+  in.skip(4, "the header");
+  const bool has_chunks = in.number(Scalar_type::UINT32, "the version") != 1;
+  if (in.number(Scalar_type::UINT32, "the size of the file") > double(bytes.size()))
+    throw IO_error(Error_code::syntax_error, file,
+                   "the file is cut off: it announces more bytes than it has");
+  do {
+    const double size = in.number(Scalar_type::UINT32, "the size of a chunk");
+    in.skip(4, "the kind of a chunk");
+    in.skip(std::size_t(size), "a chunk");
+  } while (has_chunks && in.bytes_left() >= 8);
+}
+
+// A glTF document, text or binary, by assimp. Others to which it refers are found beside `file`, unless it is to be read
+// from the bytes.
+inline File_mesh read_gltf(const std::string& file, std::string_view bytes, bool is_from_bytes)
+{
+  require_complete_glb(file, bytes);
+  constexpr unsigned flags = aiProcess_ValidateDataStructure;
+  const char* const extension = bytes.substr(0, 4) == "glTF" ? "glb" : "gltf";
+  const aiScene* const imported =
+    is_from_bytes ? aiImportFileFromMemory(bytes.data(), unsigned(bytes.size()), flags, extension)
+                  : aiImportFile(file.c_str(), flags);
   const std::unique_ptr<const aiScene, void (*)(const aiScene*)> scene(imported, aiReleaseImport);
   if (!scene || !scene->mRootNode) {
     std::string reason = aiGetErrorString();
@@ -141,4 +156,4 @@ inline File_mesh read_assimp(const std::string& file, std::string_view bytes, co
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_READ_ASSIMP_H
+#endif // CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_READ_GLTF_H
