@@ -30,6 +30,9 @@ Command_line::Command_line(std::string synopsis, std::string summary)
   add("corners", po::value<std::string>(),
       "a,b,c,d: the vertices of a disk that go to the corners of the square, counterclockwise on its\n"
       "border; numbers of the file, from 0 (default: its own corners)");
+  add(
+    "components", po::value<std::string>()->default_value("all"),
+    "which bodies of a file are served, by their numbers of faces: all, largest, or so many of the largest");
   add("threads", po::value<int>(), "threads to use, 1 to 1024; results do not depend on it");
   add("quiet,q", po::bool_switch(), "print nothing but errors");
   add("help,h", po::bool_switch(), "print this and end");

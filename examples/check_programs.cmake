@@ -283,8 +283,6 @@ if(PART STREQUAL bad_input)
   file(WRITE ${in}/edge.off "OFF\n5 3 0\n${four}0 0 -1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n")
   file(WRITE ${in}/orientation.off "OFF\n4 2 0\n${four}3 0 1 2\n3 0 1 3\n")
   file(WRITE ${in}/face.off "OFF\n4 1 0\n${four}3 0 1 1\n")
-  file(WRITE ${in}/two.off "OFF\n8 8 0\n${four}5 0 0\n6 0 0\n5 1 0\n5 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"
-    "3 4 6 5\n3 4 5 7\n3 5 6 7\n3 6 4 7\n")
   # A ring of quads: two border loops.
   file(WRITE ${in}/loops.off "OFF\n8 4 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n2 1 0\n2 2 0\n1 2 0\n"
     "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n")
@@ -327,7 +325,7 @@ if(PART STREQUAL bad_input)
       "3;huge.off;1000000000 vertices" "3;index.off;face 0 refers to vertex 4"
       "4;nan.off;1 vertex .*NaN.*--repair" "4;cloud.off;no faces"
       "4;edge.off;1 edge belongs to more than two faces at .*--repair" "4;face.off;no face is left: 1 degenerate"
-      "4;two.off;2 components" "4;loops.off;2 border loops" "4;genus2.off;genus 2")
+      "4;loops.off;2 border loops" "4;genus2.off;genus 2")
     list(GET row 0 status)
     list(GET row 1 name)
     list(GET row 2 message)
@@ -352,12 +350,21 @@ if(PART STREQUAL bad_input)
   if(NOT "${welded} ${atlas}" STREQUAL "8 sphere")
     message(SEND_ERROR "seams.off: ${welded} points welded, mapped to the ${atlas}")
   endif()
-  run(4 "4 components" ${MAP_MESH} ${in}/seams.off -o ${WORK}/out/map.ply --weld none)
+  run(0 "" ${MAP_MESH} ${in}/seams.off -o ${WORK}/seams.ply --metrics ${WORK}/seams.json --weld none)
+  file(READ ${WORK}/seams.json metrics)
+  string(JSON served GET "${metrics}" totals served)
+  if(NOT served EQUAL 4)
+    message(SEND_ERROR "seams.off without a weld: ${served} bodies instead of 4")
+  endif()
   # What changes the object is done when it is asked for: two tetrahedra that share an edge come apart.
   file(WRITE ${in}/bridge.off "OFF\n6 8 0\n0 0 0\n0 0 1\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n3 0 2 1\n3 0 1 3\n3 0 3 2\n"
     "3 1 2 3\n3 0 4 1\n3 0 1 5\n3 0 5 4\n3 1 4 5\n")
   run(4 "1 edge belongs to more than two faces.*--repair" ${MAP_MESH} ${in}/bridge.off -o ${WORK}/out/map.ply)
-  run(4 "2 components" ${MAP_MESH} ${in}/bridge.off -o ${WORK}/out/map.ply --repair)
+  run(0 "" ${MAP_MESH} ${in}/bridge.off -o ${WORK}/bridge.ply --repair)
+  file(STRINGS ${WORK}/bridge.2.ply repaired REGEX "^comment repaired$")
+  if(NOT repaired)
+    message(SEND_ERROR "bridge.off was not cut into two bodies, or the map does not say so")
+  endif()
   # A mesh without extent can be mapped, but there is no diagonal to measure a fit by.
   run(4 "coincide" ${FIT_MESH} ${in}/point.off -o ${WORK}/out/fit)
   holds(out)

@@ -1,11 +1,13 @@
-// Writes a surface or the mesh of a map, as fit_mesh leaves them, in a format that other programs read:
-// OBJ with materials, binary glTF, VTK, PLY; with images of its normals, its curvature or a checkerboard.
+// Writes surfaces or the meshes of maps, as fit_mesh leaves them, in a format that other programs read: OBJ with
+// materials, binary glTF, VTK, PLY; with images of their normals, their curvature or a checkerboard.
 
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
 #include <CGAL/Simple_manifolds/IO/chart_colour.h>
+#include <CGAL/Simple_manifolds/IO/charted_components.h>
+#include <CGAL/Simple_manifolds/IO/component_maps_io.h>
+#include <CGAL/Simple_manifolds/IO/component_surfaces_io.h>
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/IO/png_images.h>
-#include <CGAL/Simple_manifolds/IO/surface_io.h>
 #include <CGAL/Simple_manifolds/IO/write_gltf.h>
 #include <CGAL/Simple_manifolds/IO/write_obj.h>
 #include <CGAL/Simple_manifolds/IO/write_ply.h>
@@ -16,15 +18,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <functional>
 #include <iostream>
 #include <new>
-#include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -107,10 +110,9 @@ std::vector<std::string> write(const std::string& file, const SM::Charted_mesh& 
 //! [write]
 
 template <class Atlas>
-SM::Charted_mesh mesh_of(const SM::Manifold_map<Atlas>& map, const Request& request)
+SM::Charted_mesh mesh_of(const SM::Manifold_map<Atlas>& map, const Request& request, const std::string& file)
 {
-  if (!request.map.empty()) throw po::error("only a surface has --map");
-  const SM::Mesh_properties properties = SM::read_map_properties(request.input);
+  const SM::Mesh_properties properties = SM::read_map_properties(file);
   SM::Charted_mesh mesh = SM::charted_mesh(map, SM::parameters::mesh_properties(std::cref(properties)));
   if (request.texture == "checker")
     mesh.images = SM::png_images(bake_checker<Atlas>(request.texels));
@@ -121,12 +123,12 @@ SM::Charted_mesh mesh_of(const SM::Manifold_map<Atlas>& map, const Request& requ
 
 template <class Atlas, class ChartEmbedding, class Bump>
 SM::Charted_mesh mesh_of(const SM::Manifold_surface<Atlas, ChartEmbedding, Bump>& surface,
-                         const Request& request)
+                         const Request& request, const std::string& map)
 {
   const auto tessellation = [&](const auto& np) {
-    if (request.map.empty()) return SM::charted_tessellation(surface, np);
-    const SM::Mesh_properties properties = SM::read_map_properties(request.map);
-    return SM::charted_tessellation(surface, SM::read_map<Atlas>(request.map),
+    if (map.empty()) return SM::charted_tessellation(surface, np);
+    const SM::Mesh_properties properties = SM::read_map_properties(map);
+    return SM::charted_tessellation(surface, SM::read_map<Atlas>(map),
                                     np.mesh_properties(std::cref(properties)));
   };
   SM::Charted_mesh mesh = request.chord_error > 0
@@ -141,22 +143,49 @@ SM::Charted_mesh mesh_of(const SM::Manifold_surface<Atlas, ChartEmbedding, Bump>
   return mesh;
 }
 
+/// The k-th of `n` maps, where `maps` is a file, the first of several, or a folder of fit_mesh; none if it is empty.
+std::string map_of_part(const std::string& maps, const std::string& name, std::size_t k, std::size_t n)
+{
+  if (maps.empty()) return {};
+  const std::filesystem::path path = maps;
+  if (std::filesystem::is_directory(path)) return ((n == 1 ? path : path / name) / "map.ply").string();
+  return SM::numbered_file(maps, k + 1);
+}
+
+/// The meshes of all parts of a file; several are one mesh with parts.
+template <class Value>
+SM::Charted_mesh mesh_of_parts(const std::vector<SM::Component<Value>>& parts, const Request& request,
+                               const std::string& maps)
+{
+  std::vector<SM::Charted_mesh> meshes;
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    names.push_back(parts[k].name);
+    const std::string map = map_of_part(maps, names[k], k, parts.size());
+    meshes.push_back(
+      std::visit([&](const auto& value) { return mesh_of(value, request, map); }, parts[k].value()));
+  }
+  return parts.size() == 1 ? std::move(meshes[0]) : SM::joined(std::move(meshes), names);
+}
+
 /// The surfaces of fit_mesh are hierarchical, and their fine grids take little memory as such; those of the paper's
 /// method are stacks of patches.
 SM::Charted_mesh mesh_of_file(const Request& request)
 {
   using Bump = SM::Any_smoothstep_bump;
-  const auto mesh = [&](const auto& any) {
-    return std::visit([&](const auto& surface) { return mesh_of(surface, request); }, any);
-  };
-  if (std::filesystem::path(request.input).extension() == ".ply") return mesh(SM::read_map(request.input));
-  std::optional<decltype(SM::read_any_surface<Bump>(request.input))> hierarchical;
-  try {
-    hierarchical = SM::read_any_surface<Bump>(request.input);
-  } catch (const SM::IO_error&) { // it may be a stack
+  if (std::filesystem::path(request.input).extension() == ".ply") {
+    if (!request.map.empty()) throw po::error("only a surface has --map");
+    return mesh_of_parts(SM::read_maps(request.input), request, request.input);
   }
-  return hierarchical ? mesh(*hierarchical)
-                      : mesh(SM::read_any_surface<Bump, SM::Patch_stack_embedding>(request.input));
+  SM::Component_surfaces<Bump> hierarchical;
+  try {
+    hierarchical = SM::read_surfaces<Bump>(request.input);
+  } catch (const SM::IO_error&) { // they may be stacks
+  }
+  return hierarchical.empty()
+           ? mesh_of_parts(SM::read_surfaces<Bump, SM::Patch_stack_embedding>(request.input), request,
+                           request.map)
+           : mesh_of_parts(hierarchical, request, request.map);
 }
 
 /// Whether both names lead to one file that exists.
@@ -170,12 +199,14 @@ bool is_same_file(const std::string& a, const std::string& b)
 Request request_of(int argc, char** argv)
 {
   Request r;
-  po::options_description options("export_surface SURFACE.json|MAP.ply -o FILE.{obj,glb,vtp,ply} [options]",
-                                  100);
+  po::options_description options(
+    "export_surface SURFACE.json|MAP.ply|FOLDER -o FILE.{obj,glb,vtp,ply} [options]", 100);
   options.add_options()("help", "print this and end")("output,o", po::value(&r.output)->required(),
                                                       "file to write: .obj (with .mtl), .glb, .vtp or .ply")(
     "map", po::value(&r.map),
-    "map.ply that the surface was fitted to: adds the error as a field, and the properties of the mesh")(
+    "map.ply that the surface was fitted to, or FOLDER of fit_mesh: adds the error as a field, and the "
+    "properties "
+    "of the mesh")(
     "up", po::value(&r.up)->default_value("z"),
     "the axis that points upwards, which is y in .glb: z, as usual in PLY, STL, OFF, VTK and GIfTI files, or "
     "y, "
@@ -186,7 +217,10 @@ Request request_of(int argc, char** argv)
     "subdivisions", po::value(&r.subdivisions)->default_value(40), "cells per side of a tile")(
     "chord-error", po::value(&r.chord_error)->default_value(0, "none"),
     "instead: the largest distance between triangles and surface, fraction of the diagonal")(
-    "input", po::value(&r.input)->required(), "surface.json or map.ply, as fit_mesh writes them");
+    "input", po::value(&r.input)->required(),
+    "surface.json or map.ply, as fit_mesh and map_mesh write them, also of several bodies; or FOLDER of "
+    "fit_mesh, whose "
+    "surface.json it is");
   po::positional_options_description positional;
   positional.add("input", 1);
   po::variables_map values;
@@ -198,6 +232,8 @@ Request request_of(int argc, char** argv)
     std::exit(0);
   }
   po::notify(values);
+  if (std::filesystem::is_directory(r.input))
+    r.input = (std::filesystem::path(r.input) / "surface.json").string();
   const std::string extension = std::filesystem::path(r.output).extension().string();
   const bool has_images = extension == ".obj" || extension == ".glb";
   if (!has_images && extension != ".vtp" && extension != ".ply")
@@ -230,8 +266,10 @@ int main(int argc, char** argv)
     const SM::Charted_mesh mesh = mesh_of_file(request);
     const std::vector<std::string> dropped =
       write(request.output, mesh, request.up == "y" ? SM::Up_axis::Y : SM::Up_axis::Z);
-    std::cout << request.output << ": " << mesh.atlas << ", " << mesh.points.size() << " vertices, "
-              << mesh.triangles.size() << " triangles, " << mesh.images.size() << " images\n";
+    std::cout << request.output << ": " << mesh.atlas << ", "
+              << (mesh.parts.empty() ? "" : std::to_string(mesh.parts.size()) + " parts, ")
+              << mesh.points.size() << " vertices, " << mesh.triangles.size() << " triangles, "
+              << mesh.images.size() << " images\n";
     for (const std::string& name : dropped)
       std::cout << "  dropped, without a place in the format: " << name << '\n';
   } catch (const po::error& e) {

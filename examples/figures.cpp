@@ -26,11 +26,35 @@ std::string percent(const Json& x)
   return x.is_number() ? shown(100 * x.get<double>()) + " %" : "infinite";
 }
 
+std::string count(const Json& n, const char* of = "")
+{
+  return std::to_string(n.get<long long>()) + (*of == 0 ? "" : " ") + of;
+}
+
+constexpr std::size_t largest_table = 12; // rows
+
+// Rows with aligned columns.
+std::string aligned(const std::vector<std::vector<std::string>>& table)
+{
+  std::string text;
+  for (const std::vector<std::string>& row : table) {
+    text += ' ';
+    for (const std::string& cell : row)
+      text += std::string(10 - (std::min)(cell.size(), std::size_t(9)), ' ') + cell;
+    text += '\n';
+  }
+  return text;
+}
+
 // The lines and the table.
 class Figures {
 public:
-  explicit Figures(const Json& metrics) : metrics_(metrics), map_(metrics["map"])
+  explicit Figures(const Json& metrics) : metrics_(metrics), map_(metrics.value("map", Json()))
   {
+    if (metrics_.contains("parts")) {
+      add_parts();
+      return;
+    }
     add_input();
     if (metrics_.contains("surface")) add_surface(metrics_["surface"]);
     add_resources();
@@ -40,8 +64,6 @@ public:
   const std::string& text() const { return text_; }
 
 private:
-  static constexpr std::size_t largest_table = 12; // rows
-
   void line(const std::string& name, const std::string& value)
   {
     text_ += "  " + name + std::string(18 - (std::min)(name.size(), std::size_t(16)), ' ') + value + '\n';
@@ -55,12 +77,8 @@ private:
     line("mesh", count(map_["vertices"], "vertices") + ", " + count(map_["faces"], "faces") + ", " +
                    (loops == 0 ? "closed" : count(loops, loops == 1 ? "border" : "borders")) + ", genus " +
                    count(input["genus"]) + (input["inward_oriented"] ? ", inward oriented" : ""));
-    if (metrics_.contains("repair") && metrics_["repair"].contains("sentence"))
-      line("repaired", metrics_["repair"]["sentence"]);
-    if (const std::string unit = input["unit"]; !unit.empty())
-      line("unit", unit + " in the file, not converted");
-    for (const Json& warning : input["warnings"]) line("warning", warning["sentence"]);
-    add_properties(input);
+    add_reading(input);
+    if (input.contains("components")) line("body", "the largest of " + count(input["components"]));
     if (const int unused = input["isolated_vertices"]; unused > 0)
       line("left out", count(unused, unused == 1 ? "vertex" : "vertices") + " of no face");
     line("map", "onto the " + map_["atlas"].get<std::string>() + ", one to one by proof: " +
@@ -69,6 +87,52 @@ private:
     line("area distortion",
          (map_["area"].is_number() ? shown(std::pow(10, map_["area"].get<double>())) : "infinite") +
            " on average, 1 keeps areas");
+  }
+
+  // The bodies of a file: one row each, and totals.
+  void add_parts()
+  {
+    const Json &input = metrics_["input"], &totals = metrics_["totals"], &parts = metrics_["parts"];
+    const bool has_surfaces = totals.contains("controls");
+    text_ += input["file"].get<std::string>() + '\n';
+    line("mesh", count(input["components"], "bodies, ") + count(input["vertices"], "vertices, ") +
+                   count(input["faces"], "faces"));
+    add_reading(input);
+    line("served", count(totals["served"]) + " of " + count(totals["parts"], "bodies"));
+    add_resources();
+    std::vector<std::vector<std::string>> table = {{"body", "faces", "genus", "borders", "map"}};
+    if (has_surfaces)
+      for (const char* head : {"controls", "rms error", "largest"}) table[0].push_back(head);
+    for (std::size_t k = 0; k < parts.size() && k < largest_table; ++k) {
+      const Json& part = parts[k];
+      std::vector<std::string> row = {part["name"].get<std::string>(), count(part["faces"])};
+      if (part.contains("error")) {
+        for (const char* cell : {"-", "-", "none"}) row.push_back(cell);
+      } else {
+        const Json& own = part["input"];
+        row.insert(row.end(), {count(own["genus"]), count(own["border_loops"]),
+                               part["map"]["atlas"].get<std::string>()});
+        if (has_surfaces) {
+          const Json& s = part["surface"];
+          row.insert(row.end(), {count(s["controls"]), percent(s["rms_error"]), percent(s["max_error"])});
+        }
+      }
+      table.push_back(row);
+    }
+    text_ += aligned(table);
+    if (parts.size() > largest_table)
+      text_ += "  and " + std::to_string(parts.size() - largest_table) + " more bodies\n";
+  }
+
+  // What was done to the file's mesh, and what else the file has.
+  void add_reading(const Json& input)
+  {
+    if (metrics_.contains("repair") && metrics_["repair"].contains("sentence"))
+      line("repaired", metrics_["repair"]["sentence"]);
+    if (const std::string unit = input["unit"]; !unit.empty())
+      line("unit", unit + " in the file, not converted");
+    for (const Json& warning : input["warnings"]) line("warning", warning["sentence"]);
+    add_properties(input);
   }
 
   // Properties of vertices and faces, which go with the map, and what else the file has.
@@ -146,24 +210,15 @@ private:
       }
       table.push_back(row);
     }
-    for (const std::vector<std::string>& row : table) {
-      text_ += ' ';
-      for (const std::string& cell : row)
-        text_ += std::string(10 - (std::min)(cell.size(), std::size_t(9)), ' ') + cell;
-      text_ += '\n';
-    }
+    text_ += aligned(table);
     if (vertices.size() > largest_table)
       text_ += "  and " + std::to_string(vertices.size() - largest_table) + " more charts\n";
   }
 
-  static std::string count(const Json& n, const char* of = "")
-  {
-    return std::to_string(n.get<long long>()) + (*of == 0 ? "" : " ") + of;
-  }
   static std::string tolerance(const Json& x) { return " (tolerance " + percent(x) + ")"; }
 
   const Json& metrics_;
-  const Json& map_;
+  const Json map_;
   std::string text_;
 };
 

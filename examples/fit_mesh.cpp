@@ -1,21 +1,27 @@
 // Maps a mesh onto the canonical surface of its genus, fits a smooth surface to it and writes both, a
 // tessellation, figures and samples into a folder.
 
+#include "parts.h"
 #include "program_tools.h"
 #include "square_corners.h"
 
+#include <CGAL/Simple_manifolds/IO/charted_components.h>
+#include <CGAL/Simple_manifolds/IO/component_surfaces_io.h>
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/IO/surface_io.h>
+#include <CGAL/Simple_manifolds/IO/write_ply.h>
 #include <CGAL/Simple_manifolds/IO/write_tessellation.h>
 #include <CGAL/Simple_manifolds/correspondence/map_properties.h>
 #include <CGAL/Simple_manifolds/embedding/correct_parameters.h>
-#include <CGAL/Simple_manifolds/embedding/fit_surface.h>
+#include <CGAL/Simple_manifolds/embedding/fit_components.h>
 #include <CGAL/Simple_manifolds/paper/fit/fit_patch_surface.h>
 #include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <optional>
 #include <string>
 #include <utility>
@@ -77,17 +83,29 @@ Fit_request fit_request(const Command_line& options)
   return r;
 }
 
-// Found out before the work: the files can be written, and none of them takes the place of INPUT.
-void require_outputs(const Command_line& options, const Fit_request& request)
+// The files of a body, in the folder or in one of its own.
+std::vector<std::string> files_of_body(const Fit_request& request)
 {
-  const std::filesystem::path folder = options.get<std::string>("output");
-  SM::Atomic_folder trial(folder.string()); // leaves no trace
   std::vector<std::string> names = {"map.ply", "surface.json", "surface.ply", "metrics.json"};
   if (has_report) names.push_back("report.html");
   if (request.samples > 0) names.push_back("samples.csv");
-  for (const std::string& name : names) {
+  return names;
+}
+
+std::string folder_of_part(std::size_t k) { return "part-" + std::to_string(k + 1); }
+
+// Found out before the work: the files can be written, and none of them takes the place of INPUT.
+void require_outputs(const Command_line& options, const Fit_request& request, std::size_t parts)
+{
+  const std::filesystem::path folder = options.get<std::string>("output");
+  SM::Atomic_folder trial(folder.string()); // leaves no trace
+  const auto require = [&](const std::string& name) {
     trial.file(name);
     require_not_input(options, (folder / name).string());
+  };
+  for (const std::string& name : files_of_body(request)) {
+    require(name);
+    for (std::size_t k = 0; parts > 1 && k < parts; ++k) require(folder_of_part(k) + '/' + name);
   }
 }
 
@@ -127,12 +145,12 @@ Json metrics_of_surface(const SM::Fit_report& report)
   return metrics;
 }
 
-// What all parts of a run of the program need.
+// What all steps of a run of the program need.
 struct Job {
   const Command_line& options;
   const Fit_request& request;
   const Input& input;
-  const Json& partition;
+  const std::vector<Json>& partitions; // how the paper's method made the maps
   SM::Atomic_folder& folder;
   Progress& progress;
   Stopwatch& watch;
@@ -155,82 +173,145 @@ Json parameters_of(const Job& job)
   return p;
 }
 
-// Writes the files; `errors` is what is said of the fit.
-template <class Map, class Surface>
-int write(Job& job, const Map& map, const Surface& surface, const SM::Fit_report& report, Json metrics_of_fit,
-          Json parameters, const std::string& errors)
-{
-  const bool has_reached = metrics_of_fit["tolerance_reached"], is_quiet = job.options.get<bool>("quiet");
-  Json metrics;
-  metrics["input"] = metrics_of_input(job.input, map);
-  metrics["repair"] = metrics_of_repair(job.input.repair);
-  metrics["map"] = metrics_of_map(map, job.watch);
-  if (is_paper(job.options)) metrics["partition"] = job.partition;
-  metrics["surface"] = std::move(metrics_of_fit);
-  metrics["surface"]["smoothness"] = surface.smoothness();
+// What was fitted to the maps: the surfaces, and of each the report, its metrics, and what is said of its errors.
+template <class AnySurface>
+struct Fits {
+  std::vector<SM::Component<AnySurface>> surfaces;
+  std::vector<SM::Fit_report> reports;
+  std::vector<Json> metrics;
+  std::vector<std::string> errors;
+};
 
+// Writes the files of a body, those of several each in its folder. Returns its metrics and its tessellation.
+template <class Map, class Surface>
+std::pair<Json, SM::Charted_mesh> write_body(Job& job, const Map& map, const Surface& surface,
+                                             const SM::Fit_report& report, Json metrics,
+                                             const std::string& folder)
+{
+  const auto file = [&](const char* name) { return job.folder.file(folder + name); };
   // As many vertices as the mesh has, roughly, so that the tessellation shows what was fitted.
   const int subdivisions = SM::Tile_grid<typename Map::Atlas>::subdivisions_for(
     std::clamp(double(map.number_of_vertices()), 6000., 200000.), map.atlas());
-  metrics["parameters"] = std::move(parameters);
   metrics["parameters"]["subdivisions"] = subdivisions;
   const SM::Mesh_properties properties = SM::map_properties(map, job.input.read.properties);
-  job.watch.time("tessellate", [&] {
-    SM::write_tessellation(job.folder.file("surface.ply"), surface, map,
-                           SM::parameters::subdivisions(subdivisions).mesh_properties(std::cref(properties)));
+  SM::Charted_mesh tessellation = job.watch.time("tessellate", [&] {
+    SM::Charted_mesh mesh = SM::charted_tessellation(
+      surface, map, SM::parameters::subdivisions(subdivisions).mesh_properties(std::cref(properties)));
+    SM::write_ply(file("surface.ply"), mesh);
+    return mesh;
   });
   job.watch.time("write", [&] {
     SM::write_map(
-      job.folder.file("map.ply"), map,
+      file("map.ply"), map,
       SM::parameters::repair_report(std::cref(job.input.repair)).mesh_properties(std::cref(properties)));
-    SM::write_surface(job.folder.file("surface.json"), surface);
+    SM::write_surface(file("surface.json"), surface);
     if (job.request.samples > 0)
-      SM::write_samples(job.folder.file("samples.csv"), surface,
+      SM::write_samples(file("samples.csv"), surface,
                         SM::random_domain_points<typename Map::Atlas>(job.request.samples));
   });
   if (has_report)
     job.watch.time("report", [&] {
-      write_page(job.folder.file("report.html"), completed(metrics, "fit_mesh", job.watch), map, surface,
-                 report);
+      write_page(file("report.html"), completed(metrics, "fit_mesh", job.watch), map, surface, report);
     });
   metrics = completed(std::move(metrics), "fit_mesh", job.watch);
-  write_metrics(job.folder.file("metrics.json"), metrics);
+  write_metrics(file("metrics.json"), metrics);
+  return {std::move(metrics), std::move(tessellation)};
+}
+
+// Writes all files, and says what came of the fit.
+template <class AnySurface>
+int write(Job& job, const Parts& maps, Fits<AnySurface> fits, const Json& parameters)
+{
+  const bool is_quiet = job.options.get<bool>("quiet"), is_one = maps.size() == 1;
+  std::vector<Json> metrics(maps.size());
+  std::vector<SM::Charted_mesh> tessellations;
+  std::vector<std::string> names;
+  for_each_part(fits.surfaces, [&](const auto& part, std::size_t k) {
+    visit_both(maps[k].value(), part.value(), [&](const auto& map, const auto& surface) {
+      Json own;
+      own["input"] = metrics_of_input(job.input, part, map);
+      own["repair"] = metrics_of_repair(job.input.repair);
+      own["map"] = metrics_of_map(map, job.watch);
+      if (!job.partitions.empty()) own["partition"] = job.partitions[k];
+      own["surface"] = fits.metrics[k];
+      own["surface"]["smoothness"] = surface.smoothness();
+      own["parameters"] = parameters;
+      auto [all, tessellation] = write_body(job, map, surface, fits.reports[k], std::move(own),
+                                            is_one ? std::string() : folder_of_part(k) + '/');
+      metrics[k] = std::move(all);
+      tessellations.push_back(std::move(tessellation));
+      names.push_back(part.name);
+    });
+  });
+  report_errors("fit_mesh", fits.surfaces);
+  Json shown = metrics[0];
+  if (!is_one) {
+    shown = metrics_of_parts(job.input, fits.surfaces, std::move(metrics));
+    shown["parameters"] = parameters;
+    for (std::size_t k = 0; k < maps.size(); ++k)
+      if (fits.surfaces[k].has_value()) shown["parts"][k]["folder"] = folder_of_part(k);
+    job.watch.time("write", [&] {
+      SM::write_surfaces(job.folder.file("surface.json"), fits.surfaces);
+      SM::write_ply(job.folder.file("surface.ply"), SM::joined(std::move(tessellations), names));
+    });
+    if (has_report)
+      job.watch.time("report", [&] {
+        write_page(job.folder.file("report.html"), completed(shown, "fit_mesh", job.watch), maps,
+                   fits.surfaces, fits.reports);
+      });
+    shown = completed(std::move(shown), "fit_mesh", job.watch);
+    write_metrics(job.folder.file("metrics.json"), shown);
+  }
   throw_if_interrupted();
   job.folder.commit();
 
   if (!has_report && !is_quiet)
-    std::cerr << "fit_mesh: no report.html: zlib or three.js was missing when fit_mesh was built\n";
-  if (!is_quiet) std::cout << figures(metrics) << std::flush;
-  if (has_reached) return SUCCESS;
-  std::cerr << "fit_mesh: the tolerance was not reached: " << errors << "; the files are written\n";
-  return TOLERANCE_NOT_REACHED;
+    say("fit_mesh", "no report.html: zlib or three.js was missing when fit_mesh was built");
+  if (!is_quiet) std::cout << figures(shown) << std::flush;
+  int status = SM::number_of_values(fits.surfaces) == maps.size() ? SUCCESS : PARTLY_SERVED;
+  std::vector<Part_message> not_reached;
+  for (std::size_t k = 0; k < maps.size(); ++k)
+    if (fits.surfaces[k].has_value() && !fits.metrics[k]["tolerance_reached"])
+      not_reached.push_back({is_one ? "" : maps[k].name,
+                             "the tolerance was not reached: " + fits.errors[k] + "; the files are written"});
+  say_of_parts("fit_mesh", not_reached);
+  if (!not_reached.empty()) status = TOLERANCE_NOT_REACHED;
+  return status;
 }
 
-template <class Map, class Bump>
-int fit_hierarchical(Job& job, const Map& first_map, const Bump& bump)
+template <class Bump>
+int fit_hierarchical(Job& job, Parts maps, const Bump& bump)
 {
   const Fit_request& request = job.request;
-  SM::Fit_report report;
-  const auto fit = [&](const Map& map) {
-    return job.watch.time("fit", [&] {
-      return SM::fit_surface<CGAL::Parallel_if_available_tag>(map,
-                                                              SM::parameters::rms_error(request.average)
-                                                                .max_error(request.maximum)
-                                                                .bump(bump)
-                                                                .spline_degree(request.degree)
-                                                                .max_controls(std::size_t(request.controls))
-                                                                .marking(request.marking)
-                                                                .joint_solve(request.joint)
-                                                                .fairness(request.fairness)
-                                                                .fit_report(std::ref(report))
-                                                                .visitor(std::ref(job.progress)));
+  Fits<SM::Any_surface<Bump>> fits;
+  const auto fit = [&] {
+    fits.surfaces = job.watch.time("fit", [&] {
+      return SM::fit_components<CGAL::Parallel_if_available_tag>(
+        maps, SM::parameters::rms_error(request.average)
+                .max_error(request.maximum)
+                .bump(bump)
+                .spline_degree(request.degree)
+                .max_controls(std::size_t(request.controls))
+                .marking(request.marking)
+                .joint_solve(request.joint)
+                .fairness(request.fairness)
+                .fit_reports(std::ref(fits.reports))
+                .visitor(std::ref(job.progress)));
     });
   };
-  auto surface = fit(first_map);
-  std::optional<Map> corrected;
+  fit();
   if (job.options.get<bool>("correct-parameters")) {
-    corrected.emplace(job.watch.time("correct", [&] { return SM::correct_parameters(first_map, surface); }));
-    surface = fit(*corrected);
+    job.watch.time("correct", [&] {
+      for_each_part(maps, [&](auto& part, std::size_t k) {
+        if (!fits.surfaces[k].has_value()) return;
+        std::optional<Parts::value_type::Value> corrected;
+        visit_both(part.value(), fits.surfaces[k].value(), [&](const auto& map, const auto& surface) {
+          corrected.emplace(SM::correct_parameters(map, surface));
+        });
+        part.value() = std::move(*corrected);
+      });
+    });
+    fit();
   }
 
   Json parameters = parameters_of(job);
@@ -240,54 +321,78 @@ int fit_hierarchical(Job& job, const Map& first_map, const Bump& bump)
                      {"economy", job.options.get<bool>("economy")},
                      {"correct_parameters", job.options.get<bool>("correct-parameters")}});
   const bool only_vertices = request.marking == SM::Marking::VERTICES;
-  if (report.has_more_controls_than_vertices() && !job.options.get<bool>("quiet"))
-    std::cerr << "fit_mesh: " << report.controls << " controls for a mesh of " << report.vertices
-              << " vertices: the surface reproduces facets; a larger tolerance"
-              << (only_vertices ? " needs fewer\n" : " or --marking vertices needs fewer\n");
-  return write(
-    job, corrected ? *corrected : first_map, surface, report, metrics_of_surface(report), parameters,
-    std::string(only_vertices ? "at vertices " : "") + "rms error " +
-      shown(only_vertices ? report.vertex_rms_error : report.rms_error) + " (tolerance " +
-      shown(request.average) + "), max " + shown(only_vertices ? report.vertex_max_error : report.max_error) +
-      " (tolerance " + shown(request.maximum) + ") of the diagonal, " + std::to_string(report.controls) +
-      " controls");
+  std::vector<Part_message> messages;
+  for (std::size_t k = 0; k < maps.size(); ++k) {
+    const SM::Fit_report& report = fits.reports[k];
+    if (report.has_more_controls_than_vertices() && !job.options.get<bool>("quiet"))
+      messages.push_back({maps.size() == 1 ? "" : maps[k].name,
+                          std::to_string(report.controls) + " controls for a mesh of " +
+                            std::to_string(report.vertices) +
+                            " vertices: the surface reproduces facets; a larger tolerance" +
+                            (only_vertices ? " needs fewer" : " or --marking vertices needs fewer")});
+    fits.metrics.push_back(metrics_of_surface(report));
+    fits.errors.push_back(std::string(only_vertices ? "at vertices " : "") + "rms error " +
+                          shown(only_vertices ? report.vertex_rms_error : report.rms_error) + " (tolerance " +
+                          shown(request.average) + "), max " +
+                          shown(only_vertices ? report.vertex_max_error : report.max_error) + " (tolerance " +
+                          shown(request.maximum) + ") of the diagonal, " + std::to_string(report.controls) +
+                          " controls");
+  }
+  say_of_parts("fit_mesh", messages);
+  return write(job, maps, std::move(fits), parameters);
 }
 
-template <class Map>
-int fit_patches(Job& job, const Map& map)
+int fit_patches(Job& job, const Parts& maps)
 {
   const Fit_request& request = job.request;
-  SM::Patch_fit_report report;
-  const auto surface = job.watch.time("fit", [&] {
-    return SM::fit_patch_surface<CGAL::Parallel_if_available_tag>(
-      map, SM::parameters::average_delta(request.average)
-             .max_delta(request.maximum)
-             .spline_degree(request.degree)
-             .max_patches(request.patches)
-             .patch_fit_report(std::ref(report))
-             .visitor(std::ref(job.progress)));
-  });
-
-  Json metrics = metrics_of_surface(report.surface);
-  double average = 0, maximum = 0;
-  for (std::size_t c = 0; c < report.charts.size(); ++c) {
-    const SM::Patch_fit_report::Chart& chart = report.charts[c];
-    metrics["charts"][c].update({{"patches", chart.patches},
-                                 {"bins_per_side", chart.bins_per_side},
-                                 {"has_fewer_bins", chart.has_fewer_bins},
-                                 {"average_delta", chart.average_delta},
-                                 {"max_delta", chart.max_delta},
-                                 {"tolerance_reached", chart.tolerance_reached}});
-    average = (std::max)(average, chart.average_delta);
-    maximum = (std::max)(maximum, chart.max_delta);
+  using Any_stack = SM::Any_surface<SM::Smoothstep_bump<2>, SM::Patch_stack_embedding>;
+  Fits<Any_stack> fits;
+  for (const auto& part : maps) {
+    SM::Patch_fit_report report;
+    std::variant<Any_stack, SM::Error> result(std::in_place_index<1>, SM::Error_code::numeric_failure, "");
+    try {
+      if (!part.has_value()) throw SM::Error(part.error());
+      result = std::visit(
+        [&](const auto& map) -> Any_stack {
+          return job.watch.time("fit", [&] {
+            return SM::fit_patch_surface<CGAL::Parallel_if_available_tag>(
+              map, SM::parameters::average_delta(request.average)
+                     .max_delta(request.maximum)
+                     .spline_degree(request.degree)
+                     .max_patches(request.patches)
+                     .patch_fit_report(std::ref(report))
+                     .visitor(std::ref(job.progress)));
+          });
+        },
+        part.value());
+    } catch (const SM::Error& e) {
+      result = SM::Error(e);
+    }
+    fits.surfaces.emplace_back(part, std::move(result));
+    Json metrics = metrics_of_surface(report.surface);
+    double average = 0, maximum = 0;
+    for (std::size_t c = 0; c < report.charts.size(); ++c) {
+      const SM::Patch_fit_report::Chart& chart = report.charts[c];
+      metrics["charts"][c].update({{"patches", chart.patches},
+                                   {"bins_per_side", chart.bins_per_side},
+                                   {"has_fewer_bins", chart.has_fewer_bins},
+                                   {"average_delta", chart.average_delta},
+                                   {"max_delta", chart.max_delta},
+                                   {"tolerance_reached", chart.tolerance_reached}});
+      average = (std::max)(average, chart.average_delta);
+      maximum = (std::max)(maximum, chart.max_delta);
+    }
+    fits.metrics.push_back(std::move(metrics));
+    fits.reports.push_back(report.surface);
+    fits.errors.push_back("weighted error of a chart at vertices " + shown(average) +
+                          " on average (tolerance " + shown(request.average) + "), max " + shown(maximum) +
+                          " (tolerance " + shown(request.maximum) + "), rms error " +
+                          shown(report.surface.rms_error) + " of the diagonal, " +
+                          std::to_string(report.surface.controls) + " controls");
   }
   Json parameters = parameters_of(job);
   parameters["max_patches"] = request.patches;
-  return write(job, map, surface, report.surface, std::move(metrics), parameters,
-               "weighted error of a chart at vertices " + shown(average) + " on average (tolerance " +
-                 shown(request.average) + "), max " + shown(maximum) + " (tolerance " +
-                 shown(request.maximum) + "), rms error " + shown(report.surface.rms_error) +
-                 " of the diagonal, " + std::to_string(report.surface.controls) + " controls");
+  return write(job, maps, std::move(fits), parameters);
 }
 
 } // namespace
@@ -300,10 +405,15 @@ int main(int argc, char** argv)
       "Fits a smooth surface to a mesh (OFF, OBJ, PLY, STL; closed of genus 0 or 1, or a disk) and writes\n"
       "into DIR: map.ply (a map that suits the fit: angles before areas), surface.json, surface.ply,\n"
       "metrics.json, report.html (all this for a browser) and, with --samples, samples.csv.\n"
+      "Of several bodies each has its files in DIR/part-1 (the largest), DIR/part-2, ...; surface.json,\n"
+      "surface.ply, metrics.json and report.html in DIR are of all of them.\n"
       "With --method paper both the map and the fit are those of Grimm 2002.\n"
-      "Exit status: 0 success, 1 tolerance not reached (the files are written), 2 usage, or files cannot be\n"
-      "written, 3 unreadable input, 4 unsupported topology or geometry, or too little memory, 129, 130\n"
-      "or 143 ended by SIGHUP, ctrl-C or kill. Above 1 no file is written.");
+      "Exit status: 0 success, 1 tolerance not reached, or some bodies could not be served (the files are\n"
+      "written), 2 usage, or files cannot be written, 3 unreadable input, 4 unsupported topology or "
+      "geometry\n"
+      "of all bodies, or too little memory, 129, 130 or 143 ended by SIGHUP, ctrl-C or kill. Above 1 no "
+      "file\n"
+      "is written.");
     options.add("surface", po::value<std::string>(),
                 "what is fitted: hierarchical (splines), or patches (Grimm 2002, 7 x 7 controls each);\n"
                 "default: hierarchical, with --method paper patches");
@@ -327,30 +437,24 @@ int main(int argc, char** argv)
                 "write this many random points of the surface");
     options.parse(argc, argv);
     const Fit_request request = fit_request(options);
-    require_outputs(options, request);
+    const std::size_t asked = asked_parts(options);
+    require_outputs(options, request, 1);
 
     Stopwatch watch;
     const Input input = watch.time("read", [&] { return read_input(options); });
     const std::vector<Mesh::Vertex_index> square_corners = corners(options, input);
+    require_outputs(options, request, (std::min)(asked, input.topology.components));
     SM::Atomic_folder folder(options.get<std::string>("output"));
     Progress progress(options.get<bool>("quiet"));
-    Json partition; // how the paper's method made the map
-    const auto any_map = watch.time("map", [&] {
-      if (is_paper(options)) return map_by_partition(options, input, partition, progress);
-      return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
-        input.mesh, SM::parameters::map_options(SM::map_options_for_fitting())
-                      .close_borders(close_borders(options))
-                      .corners(square_corners)
-                      .visitor(std::ref(progress)));
+    std::vector<Json> partitions;
+    Parts maps = watch.time("map", [&] {
+      return map_parts(options, input, SM::map_options_for_fitting(), square_corners, partitions, progress);
     });
-    Job job{options, request, input, partition, folder, progress, watch};
-    return std::visit(
-      [&](const auto& map) {
-        if (request.is_patches) return fit_patches(job, map);
-        if (request.smoothness == 2) // the fastest
-          return fit_hierarchical(job, map, SM::Smoothstep_bump<2>());
-        return fit_hierarchical(job, map, SM::Any_smoothstep_bump(request.smoothness));
-      },
-      any_map);
+    if (SM::number_of_values(maps) == 0) report_errors("fit_mesh", maps); // throws
+    Job job{options, request, input, partitions, folder, progress, watch};
+    if (request.is_patches) return fit_patches(job, maps);
+    if (request.smoothness == 2) // the fastest
+      return fit_hierarchical(job, std::move(maps), SM::Smoothstep_bump<2>());
+    return fit_hierarchical(job, std::move(maps), SM::Any_smoothstep_bump(request.smoothness));
   });
 }

@@ -1,18 +1,22 @@
 // Maps a mesh one to one onto the canonical surface of its genus and writes the map as a PLY file.
 
 #include "inspect.h"
+#include "parts.h"
 #include "program_tools.h"
 #include "square_corners.h"
 
-#include <CGAL/Simple_manifolds/IO/map_io.h>
+#include <CGAL/Simple_manifolds/IO/component_maps_io.h>
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
 #include <CGAL/Simple_manifolds/correspondence/balance.h>
 #include <CGAL/Simple_manifolds/correspondence/criteria.h>
-#include <CGAL/Simple_manifolds/correspondence/map_properties.h>
 #include <CGAL/Simple_manifolds/correspondence/refine.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <iostream>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -33,12 +37,10 @@ Json metrics_of_criteria(const Map& map)
 }
 
 // Found out before the work: every file can be written, and none of them takes the place of another.
-void require_outputs(const Command_line& options)
+void require_outputs(const Command_line& options, std::size_t maps)
 {
   std::vector<std::string> outputs;
-  for (const char* name : {"output", "metrics", "report"}) {
-    if (!options.has(name)) continue;
-    const std::string file = options.get<std::string>(name);
+  const auto require = [&](const char* name, const std::string& file) {
     {
       const SM::Atomic_file attempt(file);
     } // throws, or leaves no trace
@@ -47,7 +49,25 @@ void require_outputs(const Command_line& options)
       if (is_same_file(file, other))
         throw Usage_error(std::string("--") + name + ": another result is written to " + other);
     outputs.push_back(file);
-  }
+  };
+  for (const char* name : {"output", "metrics", "report"})
+    if (options.has(name)) require(name, options.get<std::string>(name));
+  for (std::size_t k = 2; k <= maps; ++k)
+    require("output", SM::numbered_file(options.get<std::string>("output"), k));
+}
+
+Json metrics_of_part(const Input& input, const Parts::value_type& part, Stopwatch& watch)
+{
+  return std::visit(
+    [&](const auto& map) {
+      Json metrics;
+      metrics["input"] = metrics_of_input(input, part, map);
+      metrics["repair"] = metrics_of_repair(input.repair);
+      metrics["map"] = metrics_of_map(map, watch);
+      metrics["map"]["criteria"] = metrics_of_criteria(map);
+      return metrics;
+    },
+    part.value());
 }
 
 } // namespace
@@ -58,10 +78,12 @@ int main(int argc, char** argv)
     Command_line options(
       "map_mesh INPUT -o OUT.ply [options], or map_mesh INPUT --inspect [--json]",
       "Maps a mesh (OFF, OBJ, PLY, STL; closed of genus 0 or 1, or a disk) one to one onto the unit sphere,\n"
-      "the flat torus or the unit square, and writes the map.\n"
-      "Exit status: 0 success, 2 usage, or the file cannot be written, 3 unreadable input, 4 unsupported\n"
-      "topology or geometry, or too little memory, 129, 130 or 143 ended by SIGHUP,\n"
-      "ctrl-C or kill.");
+      "the flat torus or the unit square, and writes the map. Of several bodies each has its map: the "
+      "largest\n"
+      "in OUT.ply, the others in OUT.2.ply, OUT.3.ply, ...\n"
+      "Exit status: 0 success, 1 some bodies could not be mapped (the others are written), 2 usage, or the\n"
+      "file cannot be written, 3 unreadable input, 4 unsupported topology or geometry of all bodies, or too\n"
+      "little memory, 129, 130 or 143 ended by SIGHUP, ctrl-C or kill. Above 1 no file is written.");
     options.add("energy", po::value<std::string>()->default_value("symmetric_dirichlet"),
                 "the distortion to minimise: symmetric_dirichlet, amips");
     options.add("lambda", po::value<double>()->default_value(SM::Map_options().lambda, "0.3"),
@@ -88,67 +110,74 @@ int main(int argc, char** argv)
       throw Usage_error("--report needs zlib and three.js, which were missing when map_mesh was built");
     if (is_inspection(options)) return inspect(options);
     const bool is_quiet = options.get<bool>("quiet");
-    require_outputs(options);
+    const std::size_t asked = asked_parts(options);
+    require_outputs(options, 1);
 
     Stopwatch watch;
     const Input input = watch.time("read", [&] { return read_input(options); });
     const std::vector<Mesh::Vertex_index> square_corners = corners(options, input);
+    require_outputs(options, (std::min)(asked, input.topology.components));
     Progress progress(is_quiet);
-    Json partition; // how the paper's method made the map
-    SM::Any_mesh_map<Mesh> any_map = watch.time("map", [&] {
-      if (is_paper(options)) return map_by_partition(options, input, partition, progress);
-      return SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
-        input.mesh, SM::parameters::energy(is_amips ? SM::Energy::AMIPS : SM::Energy::SYMMETRIC_DIRICHLET)
-                      .energy_lambda(lambda)
-                      .area_floor(area_floor)
-                      .effort(effort == "fast"      ? SM::Effort::FAST
-                              : effort == "quality" ? SM::Effort::QUALITY
-                                                    : SM::Effort::DEFAULT)
-                      .close_borders(close_borders(options))
-                      .corners(square_corners)
-                      .visitor(std::ref(progress)));
-    });
+    SM::Map_options map_options;
+    map_options.energy = is_amips ? SM::Energy::AMIPS : SM::Energy::SYMMETRIC_DIRICHLET;
+    map_options.lambda = lambda;
+    map_options.area_floor = area_floor;
+    map_options.effort = effort == "fast"      ? SM::Effort::FAST
+                         : effort == "quality" ? SM::Effort::QUALITY
+                                               : SM::Effort::DEFAULT;
+    std::vector<Json> partitions; // how the paper's method made the maps
+    Parts parts = watch.time(
+      "map", [&] { return map_parts(options, input, map_options, square_corners, partitions, progress); });
     const auto np = CGAL::parameters::visitor(std::ref(progress));
     const auto improve = [&](const char* phase, const auto& f) { // f: a map to a map of the same surface
       if (options.get<bool>(phase))
-        watch.time(phase, [&] { std::visit([&](auto& map) { map = f(map); }, any_map); });
+        for_each_part(parts, [&](auto& part, std::size_t) {
+          watch.time(phase, [&] { std::visit([&](auto& map) { map = f(map); }, part.value()); });
+        });
     };
     improve("balance", [&](const auto& map) { return SM::balance(map, np); });
     improve("refine", [&](const auto& map) { return SM::refine(map, np); });
 
-    return std::visit(
-      [&](const auto& map) -> int {
-        Json metrics;
-        metrics["input"] = metrics_of_input(input, map);
-        metrics["repair"] = metrics_of_repair(input.repair);
-        metrics["map"] = metrics_of_map(map, watch);
-        metrics["parameters"] = {{"method", options.get<std::string>("method")},
-                                 {"energy", options.get<std::string>("energy")},
-                                 {"lambda", lambda},
-                                 {"area_floor", area_floor},
-                                 {"effort", effort},
-                                 {"balance", options.get<bool>("balance")},
-                                 {"refine", options.get<bool>("refine")}};
-        metrics["map"]["criteria"] = metrics_of_criteria(map);
-        if (is_paper(options)) metrics["partition"] = partition;
-        SM::Atomic_files files;
-        const auto file = [&](const char* name) { return files.file(options.get<std::string>(name)); };
-        if (options.has("report"))
-          watch.time("report",
-                     [&] { write_page(file("report"), completed(metrics, "map_mesh", watch), map); });
-        watch.time("write", [&] {
-          const SM::Mesh_properties properties = SM::map_properties(map, input.read.properties);
-          SM::write_map(
-            file("output"), map,
-            SM::parameters::repair_report(std::cref(input.repair)).mesh_properties(std::cref(properties)));
-        });
-        metrics = completed(std::move(metrics), "map_mesh", watch);
-        if (options.has("metrics")) write_metrics(file("metrics"), metrics);
-        throw_if_interrupted();
-        files.commit();
-        if (!is_quiet) std::cout << figures(metrics) << std::flush;
-        return SUCCESS;
-      },
-      any_map);
+    std::vector<Json> figures_of_parts(parts.size());
+    for_each_part(parts, [&](const auto& part, std::size_t k) {
+      figures_of_parts[k] = metrics_of_part(input, part, watch);
+    });
+    report_errors("map_mesh", parts);
+    const bool is_one = parts.size() == 1;
+    Json metrics = is_one ? figures_of_parts[0] : metrics_of_parts(input, parts, figures_of_parts);
+    metrics["parameters"] = {{"method", options.get<std::string>("method")},
+                             {"energy", options.get<std::string>("energy")},
+                             {"lambda", lambda},
+                             {"area_floor", area_floor},
+                             {"effort", effort},
+                             {"balance", options.get<bool>("balance")},
+                             {"refine", options.get<bool>("refine")}};
+    for (std::size_t k = 0; k < partitions.size(); ++k)
+      if (parts[k].has_value()) (is_one ? metrics : metrics["parts"][k])["partition"] = partitions[k];
+    SM::Atomic_files files;
+    const std::string output = options.get<std::string>("output");
+    if (!is_one)
+      for (std::size_t k = 0, n = 0; k < parts.size(); ++k)
+        if (parts[k].has_value()) metrics["parts"][k]["file"] = SM::numbered_file(output, ++n);
+    if (options.has("report"))
+      watch.time("report", [&] {
+        const std::string file = files.file(options.get<std::string>("report"));
+        const Json shown = completed(metrics, "map_mesh", watch);
+        if (is_one)
+          std::visit([&](const auto& map) { write_page(file, shown, map); }, parts[0].value());
+        else
+          write_page(file, shown, parts);
+      });
+    watch.time("write", [&] {
+      SM::write_maps(files, output, parts,
+                     SM::parameters::repair_report(std::cref(input.repair))
+                       .mesh_properties(std::cref(input.read.properties)));
+    });
+    metrics = completed(std::move(metrics), "map_mesh", watch);
+    if (options.has("metrics")) write_metrics(files.file(options.get<std::string>("metrics")), metrics);
+    throw_if_interrupted();
+    files.commit();
+    if (!is_quiet) std::cout << figures(metrics) << std::flush;
+    return SM::number_of_values(parts) == parts.size() ? SUCCESS : PARTLY_SERVED;
   });
 }

@@ -1,7 +1,6 @@
 #include "program_tools.h"
 
 #include <CGAL/Simple_manifolds/IO/read_mesh.h>
-#include <CGAL/Simple_manifolds/paper/map/map_by_partition.h>
 
 #include <CGAL/version.h>
 
@@ -132,13 +131,18 @@ Json metrics_of_repair(const SM::Repair_report& r)
   return json;
 }
 
+void say(const char* program, const std::string& message)
+{
+  std::string line = message;
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < ' ') c = '?';
+  std::cerr << program << ": " << line << std::endl;
+}
+
 int run(const char* name, const std::function<int()>& program)
 {
   const auto fail = [name](const std::string& message, int status) {
-    std::string line = message; // names of files can hold anything
-    for (char& c : line)
-      if (static_cast<unsigned char>(c) < ' ') c = '?';
-    std::cerr << name << ": " << line << std::endl;
+    say(name, message);
     return status;
   };
   try {
@@ -185,22 +189,6 @@ SM::Close_borders close_borders(const Command_line& options)
          : which == "small" && !options.has("corners") ? SM::Close_borders::SMALL
          : which == "all"                              ? SM::Close_borders::ALL
                                                        : SM::Close_borders::NONE;
-}
-
-SM::Any_mesh_map<Mesh> map_by_partition(const Command_line& options, const Input& input, Json& how,
-                                        Progress& progress)
-{
-  SM::Partition_report r;
-  auto map = SM::map_by_partition(input.mesh, SM::parameters::partition_report(std::ref(r))
-                                                .close_borders(close_borders(options))
-                                                .visitor(std::ref(progress)));
-  how = {{"attempts", r.attempts},
-         {"subdivisions", r.subdivisions},
-         {"removed_vertices", r.removed_vertices},
-         {"rounds", r.equalization.rounds},
-         {"largest_deviation_of_faces", r.equalization.largest_deviation},
-         {"stopped_by_rule", r.equalization.has_stopped_by_rule}};
-  return map;
 }
 
 Json completed(Json metrics, const char* program, const Stopwatch& watch)

@@ -46,6 +46,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 enum Status {
   SUCCESS = 0,
   TOLERANCE_NOT_REACHED = 1,
+  PARTLY_SERVED = 1, // some bodies of a file could not be mapped or fitted
   USAGE = 2,
   UNREADABLE_INPUT = 3,
   UNSUPPORTED_INPUT = 4,
@@ -64,6 +65,9 @@ inline void throw_if_interrupted()
 
 /// Runs a program; whatever goes wrong becomes one line on stderr and an exit status.
 int run(const char* name, const std::function<int()>& program);
+
+/// One line on stderr: what a program has to say. Names of files can hold anything.
+void say(const char* program, const std::string& message);
 
 /// Shows the running phase on a terminal, in one line that is wiped at the end; nothing into a pipe. Ends the
 /// program when a signal asks for it.

@@ -26,7 +26,8 @@ function unpack(bytes, { type, components, size, first }) {
   return items;
 }
 
-// {info, mesh, surface, net}: the last two only if there is a surface. Mesh and surface are triangles that lie in one
+// {info, mesh, surface, net}: the last two only if there is a surface. Of a page of several parts {info, parts}: each
+// part is that, or only info where it has no map. Mesh and surface are triangles that lie in one
 // tile each, with these arrays; of the surface each triangle is a face:
 //
 //   points, charts, coordinates   per vertex: in space, and its chart point
@@ -40,9 +41,11 @@ async function read_data() {
   const info = JSON.parse(document.getElementById('info').textContent);
   const bytes = await inflate(document.getElementById('arrays').textContent);
   const data = { info };
+  if (info.parts) data.parts = info.parts.map(part => ({ info: part }));
   for (const [path, entry] of Object.entries(info.arrays)) {
-    const [group, name] = path.split('.');
-    (data[group] = data[group] || {})[name] = unpack(bytes, entry);
+    const [name, group, part] = path.split('.').reverse();
+    const owner = part === undefined ? data : data.parts[Number(part)];
+    (owner[group] = owner[group] || {})[name] = unpack(bytes, entry);
   }
   return data;
 }

@@ -15,9 +15,9 @@ const seconds = x => (x < 0.001 ? '<\u00a00.001' : short(x)) + '\u00a0s';
 const kind = ({ is_closed, genus, shapes }) =>
   `${is_closed ? `A closed mesh of genus ${genus}` : 'A disk'}, mapped one to one onto the ${shapes[0].title}`;
 
-function show_head({ info }) {
+function show_head({ info, parts }) {
   const { figures = {} } = info,
-    { input = {}, map = {}, surface, seconds: times = {} } = figures;
+    { input = {}, map = {}, surface, totals, seconds: times = {} } = figures;
   const name = String(input.file || 'Mesh')
     .split(/[\\/]/)
     .pop();
@@ -27,15 +27,22 @@ function show_head({ info }) {
     surface && surface.smoothness > 0
       ? ` and the C${['⁰', '¹', '²', '³', '⁴'][surface.smoothness]} surface` + ' fitted to it'
       : '';
-  by_id('summary').textContent = `${kind(info.atlas)}${smooth ? ',' + smooth : ''}.`;
+  by_id('summary').textContent = parts
+    ? `${parts.filter(part => part.mesh).length} of ${count(parts.length)} parts, each mapped one to one onto its ` +
+      `canonical surface${parts.some(part => part.surface) ? ', and the surfaces fitted to them' : ''}.`
+    : `${kind(info.atlas)}${smooth ? ',' + smooth : ''}.`;
   const rows = [
+    ...(totals ? [[totals.flipped, 'flipped in the domain', count]] : []),
+    ...(totals ? [[totals.controls, 'controls', count]] : []),
+    ...(totals ? [[totals.largest_rms_error, 'largest rms error, of the diagonal of a part', percent]] : []),
+    ...(totals ? [[totals.largest_max_error, 'largest error, of the diagonal of a part', percent]] : []),
     [input.faces, 'faces', count],
     [map.flipped, 'flipped in the domain', count],
     [map.angle, 'angle distortion', short],
     [surface && surface.controls, 'controls', count],
     [surface && surface.rms_error, 'rms error, of the diagonal', percent],
     [surface && surface.max_error, 'largest error, of the diagonal', percent],
-    surface ? [times.map + times.fit, 'to map and fit', seconds] : [times.map, 'to map', seconds],
+    times.fit >= 0 ? [times.map + times.fit, 'to map and fit', seconds] : [times.map, 'to map', seconds],
   ];
   for (const [value, label, show] of rows)
     if (typeof value === 'number')
@@ -48,24 +55,27 @@ function show_head({ info }) {
       (figures.version
         ? ` of Simple_manifolds ${figures.version.simple_manifolds}, CGAL ${figures.version.cgal}`
         : '');
-  if (info.faces_of_map > info.faces) {
-    by_id('notice').hidden = false;
-    by_id('notice').textContent =
+}
+
+function show_notice({ info }, parts = []) {
+  const lines = parts.filter(part => part.info.error).map(({ info: { name, error } }) => `${name}: ${error}.`);
+  if (info.faces_of_map > info.faces)
+    lines.unshift(
       `The mesh has ${count(info.faces_of_map)} faces. To keep this page small it is shown ` +
       `simplified, with ${count(info.faces)} faces; errors and curvatures are those of the ` +
-      'vertices that are left, ' +
-      'distortions those of the original faces.';
-  }
+        'vertices that are left, ' +
+        'distortions those of the original faces.'
+    );
+  by_id('notice').hidden = lines.length === 0;
+  by_id('notice').replaceChildren(...lines.map(line => element('p', {}, line)));
 }
 
 // ---- Panels -----------------------------------------------------------------------------------------
 
 const with_capital = text => text[0].toUpperCase() + text.slice(1);
 
-function make_view(data) {
-  const container = by_id('panels'),
-    view = new View(container, container.querySelector('canvas'));
-  const { mesh, surface, net, info } = data,
+function fill_view(view, { mesh, domain = mesh, chosen, surface, net, info }) {
+  const { container } = view,
     { atlas } = info;
   const add = (title, text, triangles, k) => {
     const label = element('h3', {}, title, element('small', {}, text));
@@ -83,13 +93,12 @@ function make_view(data) {
     container.append(box);
     return view.add(box, triangles, atlas, k);
   };
-  view.face_the_viewer(mesh, atlas.is_closed);
   add('Mesh', `${count(info.faces)} faces` + (info.faces_of_map > info.faces ? ' (simplified)' : ''), mesh);
   atlas.shapes.forEach((shape, k) =>
     add(
       with_capital(shape.title),
-      shape.is_flat ? 'the same faces, face on' : 'the same faces',
-      mesh,
+      domain === mesh ? (shape.is_flat ? 'the same faces, face on' : 'the same faces') : chosen.info.name,
+      domain,
       k
     )
   );
@@ -98,7 +107,6 @@ function make_view(data) {
     if (net.points.length > 0) panel.add_net(net, atlas);
   }
   container.dataset.count = view.panels.length;
-  return view;
 }
 
 // ---- Switches and legend ----------------------------------------------------------------------------
@@ -106,17 +114,18 @@ function make_view(data) {
 // Curvatures come in units of the diagonal.
 const in_units = (field, info) => field.show || (x => short(x / info.diagonal ** field.power));
 
-function legend(field, range, { info }) {
+function legend(field, range, { info, chosen }) {
   const box = by_id('legend'),
     text = element('p', {}, field.text || '');
   box.replaceChildren();
   if (field.mode === 1) {
     const list = element('ul');
-    info.atlas.charts.forEach(({ colour }, c) =>
+    const charts = info.atlas.charts.filter(({ part }) => !chosen || part === chosen.info.name);
+    charts.forEach(({ colour }, c) =>
       list.append(element('li', {}, element('i', { style: `background: ${colour}` }), `chart ${c}`))
     );
     box.append(list);
-    box.setAttribute('aria-label', `Colours of ${info.atlas.charts.length} charts`);
+    box.setAttribute('aria-label', `Colours of ${charts.length} charts`);
     return;
   }
   if (field.ramp) {
@@ -150,7 +159,7 @@ function legend(field, range, { info }) {
 }
 
 function make_switches(view, data) {
-  const { mesh, info } = data,
+  const { mesh } = data,
     ranges = {},
     areas = areas_of(mesh);
   const choose = field => {
@@ -163,16 +172,23 @@ function make_switches(view, data) {
     view.set(field, ranges[field.name]);
     legend(field, ranges[field.name], data);
   };
+  const chosen_before = document.querySelector('input[name=field]:checked'),
+    on = [...document.querySelectorAll('#toggles input:checked')].map(e => e.id);
+  for (const id of ['fields', 'toggles'])
+    for (const label of by_id(id).querySelectorAll('label')) label.remove();
   const toggle = (name, label, key, act) => {
     const input = element('input', { type: 'checkbox', id: name });
     input.addEventListener('change', () => act(input.checked));
+    input.checked = on.includes(name);
+    act(input.checked);
     by_id('toggles').append(element('label', { title: `Key ${key}` }, input, element('span', {}, label)));
   };
   const shown = fields.filter(field => !field.ramp || mesh[field.name]);
+  const first = shown.find(field => chosen_before && field.name === chosen_before.value) || shown[0];
   shown.forEach((field, k) => {
     const input = element('input', { type: 'radio', name: 'field', value: field.name });
     input.addEventListener('change', () => choose(field));
-    input.checked = k === 0;
+    input.checked = field === first;
     by_id('fields').append(
       element(
         'label',
@@ -187,6 +203,10 @@ function make_switches(view, data) {
     toggle('nets', 'Control nets', 'N', is_on => view.set_net(is_on));
   by_id('last_key').textContent = shown.length;
   by_id('net_key').hidden = !by_id('nets');
+  choose(first);
+}
+
+function add_keys(view) {
   by_id('reset').addEventListener('click', () => view.reset());
   document.addEventListener('keydown', event => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
@@ -201,7 +221,6 @@ function make_switches(view, data) {
             : null;
     if (target) target.click();
   });
-  choose(shown[0]);
 }
 
 // ---- Values at a point ------------------------------------------------------------------------------
@@ -209,7 +228,7 @@ function make_switches(view, data) {
 function make_inspector(view, data) {
   const tip = by_id('tip'),
     container = by_id('panels'),
-    { mesh, info } = data;
+    { mesh, domain = mesh, info } = data;
   const on_leave = () => {
     tip.hidden = true;
     view.mark(null);
@@ -220,14 +239,17 @@ function make_inspector(view, data) {
     view.mark(q);
     const fixed = x => x.map(y => y.toFixed(3)).join(', ');
     const [shape] = info.atlas.shapes,
-      place = blend(mesh, mesh.shape0, 3, at),
+      { part, number = q.chart } = info.atlas.charts[q.chart],
+      there = domain === mesh ? at : locate(domain, q),
+      place = there && blend(domain, domain.shape0, 3, there),
       in_space = blend(mesh, mesh.points, 3, at);
     const rows = [
       [info.faces_of_map > info.faces ? 'face (simplified)' : 'face', count(face_of(mesh, at.triangle))],
-      ['chart', `${q.chart} at (${fixed(q.uv)})`],
-      [`on the ${shape.title}`, `(${fixed(shape.is_flat ? place.slice(0, 2) : place)})`],
+      ['chart', `${number} at (${fixed(q.uv)})`],
+      ...(place ? [[`on the ${shape.title}`, `(${fixed(shape.is_flat ? place.slice(0, 2) : place)})`]] : []),
       ['in space', `(${in_space.map((x, k) => short(x * info.diagonal + info.centre[k])).join(', ')})`],
     ];
+    if (part) rows.unshift(['part', part]);
     for (const field of fields)
       if (field.ramp && mesh[field.name])
         rows.push([
@@ -256,7 +278,7 @@ function show_plots({ info, mesh }) {
   for (const field of fields.filter(f => f.is_per_face))
     list.push(histogram(field, mesh[field.name], areas, range_of(field, mesh[field.name], areas)));
   if (info.fit) list.unshift(errors_per_chart(info.fit, info.atlas), convergence(info.fit));
-  by_id('plots').append(...list.filter(Boolean));
+  by_id('plots').replaceChildren(...list.filter(Boolean));
 }
 
 // What numbers are, by words in their names.
@@ -290,6 +312,7 @@ function rows_of(group, prefix) {
 function show_figures({ info }) {
   const { figures = {} } = info,
     single = {};
+  by_id('figures').replaceChildren();
   const add = (name, group) => {
     const rows = rows_of(group, name).map(([label, value]) =>
       element(
@@ -312,14 +335,27 @@ function show_figures({ info }) {
 }
 
 async function start() {
-  const data = await read_data();
+  const data = await read_data(),
+    container = by_id('panels');
+  let view;
   show_head(data);
-  show_plots(data);
-  show_figures(data);
-  const view = make_view(data);
-  make_switches(view, data);
-  add_controls(view, make_inspector(view, data));
-  view.draw();
+  const show = shown => {
+    show_notice(shown, data.parts);
+    show_plots(shown.chosen || shown);
+    show_figures(shown);
+    if (!view) {
+      view = new View(container, container.querySelector('canvas'));
+      view.face_the_viewer(shown.mesh, shown.info.atlas.is_closed);
+    }
+    view.clear();
+    fill_view(view, shown);
+    make_switches(view, shown);
+    add_controls(view, make_inspector(view, shown));
+    view.draw();
+  };
+  if (data.parts) make_parts_list(data, show);
+  else show(data);
+  add_keys(view);
   return view;
 }
 

@@ -214,6 +214,16 @@ class View {
     this.reset();
   }
 
+  // Takes all panels away.
+  clear() {
+    for (const { element, object } of this.panels) {
+      element.remove();
+      object.traverse(part => part.geometry && part.geometry.dispose());
+    }
+    this.panels = [];
+    this.targets = this.marked = null;
+  }
+
   // `k`: the shape of the canonical surface, or undefined
   add(element, mesh, atlas, k) {
     const panel = new Panel(element, mesh, atlas, k, this.uniforms);

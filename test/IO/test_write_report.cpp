@@ -6,6 +6,7 @@
 #include "temporary_folder.h"
 
 #include <CGAL/Simple_manifolds/IO/write_report.h>
+#include <CGAL/Simple_manifolds/embedding/fit_components.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
 
 #include <cstring>
@@ -178,6 +179,49 @@ TEST_CASE("a report of a map alone has no surface; a page without a place for th
   CHECK_FALSE(report.info.contains("fit"));
   CHECK_THROWS_AS(SM::write_report(folder("s.html"), map, figures, "<html>"), SM::IO_error);
   CHECK(folder.entries() == std::vector<std::string>{"r.html"});
+}
+
+TEST_CASE("a report of components holds each with its figures, and the errors of the others")
+{
+  const auto sphere = map_of(ellipsoid(Eigen::Vector3d(1, 2, 3)), 8);
+  const auto torus = map_of(ring(3, 1), 8);
+  std::vector<SM::Component<SM::Any_map>> maps;
+  const auto component = [](const char* name) { return SM::Mesh_component{name, {}, {}}; };
+  maps.emplace_back(component("egg"), SM::Any_map(sphere));
+  maps.emplace_back(component("knot"), SM::Error(SM::Error_code::wrong_genus, "genus 2"));
+  maps.emplace_back(component("ring"), SM::Any_map(torus));
+  const nlohmann::ordered_json figures = {{"input", {{"file", "a"}}},
+                                          {"parts", {{{"x", 1}}, {{"x", 2}}, {{"x", 3}}}}};
+  const Temporary_folder folder;
+  SM::write_report(folder("m.html"), maps, figures, page);
+  const Report report(folder.read("m.html"));
+  const nlohmann::json& parts = report.info["parts"];
+  REQUIRE(parts.size() == 3);
+  CHECK(report.info["figures"] == nlohmann::json({{"input", {{"file", "a"}}}}));
+  CHECK(parts[0]["name"] == "egg");
+  CHECK(parts[0]["atlas"]["name"] == "sphere");
+  CHECK(parts[1] == nlohmann::json({{"name", "knot"}, {"error", "genus 2"}}));
+  CHECK(parts[2]["atlas"]["name"] == "torus");
+  CHECK(parts[2]["figures"]["x"] == 3);
+  CHECK(report.array<float>("0.mesh.angle").size() == sphere.number_of_faces());
+  CHECK(report.array<float>("2.mesh.angle").size() == torus.number_of_faces());
+
+  // A surface of one of them, and why the other has none.
+  SM::Component_surfaces<> surfaces;
+  std::vector<SM::Fit_report> reports(3);
+  surfaces.emplace_back(component("egg"), SM::Error(SM::Error_code::numeric_failure, "no surface"));
+  surfaces.emplace_back(component("knot"), SM::Error(SM::Error_code::wrong_genus, "genus 2"));
+  surfaces.emplace_back(component("ring"),
+                        SM::Any_surface<>(SM::fit_surface(
+                          torus, SM::parameters::rms_error(0.05).fit_report(std::ref(reports[2])))));
+  SM::write_report(folder("s.html"), maps, surfaces, reports, figures, page);
+  const Report fitted(folder.read("s.html"));
+  CHECK(fitted.info["parts"][0]["error"] == "no surface");
+  CHECK(fitted.info["parts"][0]["atlas"]["name"] == "sphere");
+  CHECK_FALSE(fitted.info["parts"][0].contains("fit"));
+  CHECK(fitted.info["parts"][2]["fit"]["rms_tolerance"] == 0.05);
+  CHECK(fitted.info["arrays"].contains("2.surface.points"));
+  CHECK_FALSE(fitted.info["arrays"].contains("0.surface.points"));
 }
 
 TEMPLATE_TEST_CASE("a face is drawn in pieces that are short, lie in one tile each and make the whole", "",

@@ -68,6 +68,22 @@ def read_map(path):
     return names, vertices, [face.unpack_from(data, first + i * face.size)[1:] for i in range(counts["face"])]
 
 
+def join(path, files):
+    """An OFF file with the bodies of some OFF files, one beside the other."""
+    points, faces = [], []
+    for k, file in enumerate(files):
+        words = file.read_text().split()[1:]
+        n, m = int(words[0]), int(words[1])
+        first, words = len(points), words[3:]
+        points += [f"{float(words[3 * i]) + 5 * k} {words[3 * i + 1]} {words[3 * i + 2]}" for i in range(n)]
+        words = words[3 * n:]
+        for _ in range(m):
+            size = int(words[0])
+            faces.append(" ".join([words[0], *(str(int(v) + first) for v in words[1:size + 1])]))
+            words = words[size + 1:]
+    path.write_text("\n".join(["OFF", f"{len(points)} {len(faces)} 0", *points, *faces]) + "\n")
+
+
 def numbers(text):
     text = re.sub(r"\s", "", text.replace("−", "-"))
     return [float(x) for x in re.findall(r"-?\d+(?:\.\d+)?(?:e-?\d+)?", text)]
@@ -227,6 +243,33 @@ class Page:
         expected = seconds["map"] + seconds["fit"]
         self.check(abs(numbers(said)[0] - expected) <= 0.006 * expected, f"{said} instead of {expected} s")
 
+    def check_parts(self, shapes):
+        """Parts are switched off and on; canonical surface and plots are those of one, `shapes` the titles of each."""
+        titles = lambda: self.browser.run(
+            "return [...document.querySelectorAll('.panel h3')].map(e => e.firstChild.textContent)")
+        found = self.browser.run("return [...document.querySelectorAll('input[name=part]')].map(e => e.value)")
+        self.check(found == list(shapes), f"parts {found}")
+        first = self.picture()
+        for name, own in shapes.items():
+            switch = f"document.querySelector('input[value={name}]').click()"
+            self.browser.run(switch)
+            self.check(self.picture() != first, f"{name} cannot be switched off")
+            self.browser.run(switch)
+            self.browser.run("""const select = document.getElementById('part');
+                select.value = [...select.options].find(e => e.textContent === arguments[0]).value;
+                select.dispatchEvent(new Event('change'));""", name)
+            self.check(titles() == ["Mesh", *own, "Surface"], f"{name} has the views {titles()}")
+            figures = self.browser.run("return document.getElementById('figures').textContent")
+            self.check(name in figures, f"the figures are not those of {name}")
+        self.browser.run("document.querySelector('input[name=field][value=gauss]').click()")
+        self.browser.run("[...document.querySelectorAll('#parts_bar button')].at(-1).click()")
+        on = self.browser.run("return document.querySelectorAll('input[name=part]:checked').length")
+        kept = self.browser.run("return document.querySelector('input[name=field]:checked').value")
+        self.check(on == 1 and kept == "gauss", f"{on} parts are left on, coloured by {kept}")
+        self.browser.run("document.querySelector('input[name=part]:checked').click()")
+        on = self.browser.run("return document.querySelectorAll('input[name=part]:checked').length")
+        self.check(on == 1, "the last part can be switched off")
+
     def check_quiet(self):
         for line in self.browser.log():
             self.check(line["level"] not in ("SEVERE", "ERROR"), f"console: {line['message']}")
@@ -278,6 +321,15 @@ def main():
               }).map(([word]) => word));""")
         check(broken == [], f"broken numbers: {broken}")
         browser.resize(800, 560)
+
+        bodies = work / "bodies.off"
+        join(bodies, [pathlib.Path(meshes) / f"{name}.off" for name in ("torus_quad", "sphere")])
+        subprocess.run([fit_mesh, bodies, "-o", work / "bodies", "--quiet"], check=True)
+        browser.open(work / "bodies" / "report.html")
+        page = Page(browser, "bodies")
+        page.check_panels(3)
+        page.check_parts({"part-1": ["Unit sphere"], "part-2": ["Flat torus", "Ring torus"]})
+        page.check_quiet()
 
         report = work / "map.html"
         subprocess.run([map_mesh, f"{meshes}/hand.off", "-o", work / "map.ply", "--report", report, "--quiet"],

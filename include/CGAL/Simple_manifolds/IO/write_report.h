@@ -8,29 +8,22 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_WRITE_REPORT_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_WRITE_REPORT_H
 
-#include <CGAL/Simple_manifolds/Error.h>
-#include <CGAL/Simple_manifolds/IO/Atomic_file.h>
-#include <CGAL/Simple_manifolds/IO/chart_colour.h>
 #include <CGAL/Simple_manifolds/IO/internal/report/Report_arrays.h>
-#include <CGAL/Simple_manifolds/IO/internal/report/Report_mesh.h>
-#include <CGAL/Simple_manifolds/IO/internal/report/control_cells.h>
-#include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
+#include <CGAL/Simple_manifolds/IO/internal/report/Report_part.h>
+#include <CGAL/Simple_manifolds/correspondence/Component.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
 #include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
-#include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
+#include <CGAL/assertions.h>
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 /// \file
@@ -40,95 +33,42 @@ namespace Simple_manifolds {
 
 namespace internal {
 
-// Collects what a report shows, and writes it into the page.
-template <class Map>
-class Report_writer {
-public:
-  static constexpr std::size_t max_faces = 100000;
-
-  Report_writer(const Map& map, const nlohmann::ordered_json& figures)
-    : map_(map), distortions_(face_distortions(map)), mesh_(report_mesh(map, distortions_, max_faces))
-  {
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& p : map.points()) box.extend(p);
-    centre_ = box.center();
-    info_ = {{"faces", mesh_.angle.size()}, {"faces_of_map", distortions_.angle.size()},
-             {"diagonal", unit()},          {"centre", {centre_.x(), centre_.y(), centre_.z()}},
-             {"figures", figures},          {"atlas", facts_of_atlas(map.atlas())}};
+// A report of components: add(part, map, k, arrays, prefix) adds to the part of the k-th map what is shown beside it, and
+// returns why nothing is.
+template <class AnyMap, class Add>
+void write_report_of_parts(const std::string& file, const std::vector<Component<AnyMap>>& maps,
+                           nlohmann::ordered_json figures, std::string_view page, const Add& add)
+{
+  const nlohmann::ordered_json of_parts = figures.value("parts", nlohmann::ordered_json::array());
+  figures.erase("parts");
+  double faces = 0;
+  for (const Component<AnyMap>& map : maps)
+    if (map.has_value())
+      faces +=
+        std::visit([](const auto& m) { return static_cast<double>(m.number_of_faces()); }, map.value());
+  Report_arrays arrays;
+  nlohmann::ordered_json info = {{"figures", std::move(figures)}, {"parts", nlohmann::ordered_json::array()}};
+  for (std::size_t k = 0; k < maps.size(); ++k) {
+    nlohmann::ordered_json about = {{"name", maps[k].name}};
+    if (maps[k].has_value())
+      std::visit(
+        [&](const auto& any) {
+          const auto& map = map_on_arrays(any);
+          const std::string prefix = std::to_string(k) + '.';
+          Report_part<std::decay_t<decltype(map)>> part(
+            map, k < of_parts.size() ? of_parts[k] : nlohmann::ordered_json::object(),
+            static_cast<double>(map.number_of_faces()) / faces);
+          const std::string error = add(part, map, k, arrays, prefix);
+          about.update(part.add_mesh(arrays, prefix));
+          if (!error.empty()) about["error"] = error;
+        },
+        maps[k].value());
+    else
+      about["error"] = maps[k].error().what();
+    info["parts"].push_back(std::move(about));
   }
-
-  template <class Surface>
-  void add_surface(const Surface& surface, const Fit_report& report)
-  {
-    const int subdivisions = Tile_grid<typename Map::Atlas>::subdivisions_for(
-      std::clamp(double(map_.number_of_vertices()), 10000., 40000.), map_.atlas());
-    auto tessellation = report_tessellation(map_, surface, subdivisions, distortions_);
-    tessellation.evaluate(map_, surface);
-    tessellation.add_to(arrays_, "surface", map_.atlas(), centre_, unit());
-    mesh_.evaluate(map_, surface);
-
-    std::vector<int> charts;
-    std::vector<Eigen::Vector3d> corners = control_cells(surface, charts);
-    for (Eigen::Vector3d& p : corners) p = (p - centre_) / unit();
-    arrays_.add_vectors("net.points", corners, 14);
-    arrays_.add_integers("net.charts", charts);
-
-    nlohmann::ordered_json fit = {{"rms_tolerance", report.rms_tolerance},
-                                  {"max_tolerance", report.max_tolerance}};
-    for (const Fit_report::Chart& c : report.charts)
-      fit["charts"].push_back({{"controls", c.controls}, {"rms", c.rms_error}, {"max", c.max_error}});
-    for (const Fit_report::Level& l : report.levels)
-      fit["levels"].push_back({{"controls", l.controls}, {"rms", l.rms_error}, {"max", l.max_error}});
-    info_["fit"] = std::move(fit);
-  }
-
-  void write(const std::string& file, std::string_view page)
-  {
-    mesh_.add_to(arrays_, "mesh", map_.atlas(), centre_, unit());
-    info_["arrays"] = arrays_.table();
-    std::string info = info_.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-    for (std::size_t i = info.find('<'); i != std::string::npos; i = info.find('<', i))
-      info.replace(i, 1, "\\u003c"); // nothing in it may end the script element
-    const std::string_view mark = "<!-- data -->";
-    const std::size_t at = page.find(mark);
-    if (at == std::string_view::npos)
-      throw IO_error(Error_code::cannot_write, file, "the page has no place for the data");
-    Atomic_file output(file);
-    output.stream() << page.substr(0, at) << "<script id=\"info\" type=\"application/json\">" << info
-                    << "</script>\n"
-                    << "<script id=\"arrays\" type=\"application/octet-stream\">" << arrays_.text()
-                    << "</script>" << page.substr(at + mark.size());
-    output.commit();
-  }
-
-private:
-  // All that the page has to know of a canonical surface.
-  template <class Atlas>
-  static nlohmann::ordered_json facts_of_atlas(const Atlas& atlas)
-  {
-    nlohmann::ordered_json facts = {
-      {"name", atlas.name}, {"genus", atlas.genus()}, {"is_closed", atlas.is_closed}};
-    for (int c = 0; c < atlas.number_of_charts(); ++c) {
-      const Eigen::Vector3d colour = 255 * chart_colour(c);
-      char text[8];
-      std::snprintf(text, sizeof text, "#%02x%02x%02x", unsigned(std::lround(colour[0])) & 255,
-                    unsigned(std::lround(colour[1])) & 255, unsigned(std::lround(colour[2])) & 255);
-      facts["charts"].push_back({{"colour", text}});
-    }
-    for (const Domain_shape<Atlas>& shape : domain_shapes(atlas))
-      facts["shapes"].push_back({{"title", shape.title}, {"is_flat", shape.is_flat}});
-    return facts;
-  }
-
-  double unit() const { return map_.diagonal() > 0 ? map_.diagonal() : 1; }
-
-  const Map& map_;
-  Face_distortions distortions_;
-  Report_mesh<typename Map::Atlas> mesh_;
-  Eigen::Vector3d centre_;
-  nlohmann::ordered_json info_;
-  Report_arrays arrays_;
-};
+  write_report_page(file, page, std::move(info), arrays);
+}
 
 } // namespace internal
 
@@ -146,7 +86,9 @@ template <class Map>
 void write_report(const std::string& file, const Map& map, const nlohmann::ordered_json& figures,
                   std::string_view page)
 {
-  internal::Report_writer<internal::Map_on_arrays<Map>>(map, figures).write(file, page);
+  internal::Report_arrays arrays;
+  auto info = internal::Report_part<internal::Map_on_arrays<Map>>(map, figures).add_mesh(arrays);
+  internal::write_report_page(file, page, std::move(info), arrays);
 }
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -158,9 +100,56 @@ template <class Map, class Surface>
 void write_report(const std::string& file, const Map& map, const Surface& surface, const Fit_report& report,
                   const nlohmann::ordered_json& figures, std::string_view page)
 {
-  internal::Report_writer<internal::Map_on_arrays<Map>> writer(map, figures);
-  writer.add_surface(surface, report);
-  writer.write(file, page);
+  internal::Report_arrays arrays;
+  internal::Report_part<internal::Map_on_arrays<Map>> part(map, figures);
+  part.add_surface(surface, report, arrays);
+  auto info = part.add_mesh(arrays);
+  internal::write_report_page(file, page, std::move(info), arrays);
+}
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// The same for the maps of components: the page shows those together that are chosen from a list, and the canonical
+/// surface, the plots and the figures of one of them. The 100,000 faces are divided among them. A component without a
+/// map is in the list with its error.
+///
+/// \param figures  of all; under `parts` an array with those of each component, in their order
+/// \tparam AnyMap  an `Any_map` or `Any_mesh_map`
+template <class AnyMap>
+void write_report(const std::string& file, const std::vector<Component<AnyMap>>& maps,
+                  const nlohmann::ordered_json& figures, std::string_view page)
+{
+  internal::write_report_of_parts(file, maps, figures, page, [](const auto&...) { return std::string(); });
+}
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// The same with the surfaces that were fitted to the maps. Of a component without a surface the map is shown, if
+/// there is one, and the list has its error.
+/// \param surfaces,reports  as `fit_components()` gives them
+/// \pre `surfaces.size() == maps.size() && reports.size() == maps.size()`; where there is a surface there is a map over
+///   the same atlas
+/// \tparam AnySurface  an `Any_surface`
+template <class AnyMap, class AnySurface>
+void write_report(const std::string& file, const std::vector<Component<AnyMap>>& maps,
+                  const std::vector<Component<AnySurface>>& surfaces, const std::vector<Fit_report>& reports,
+                  const nlohmann::ordered_json& figures, std::string_view page)
+{
+  CGAL_precondition(surfaces.size() == maps.size() && reports.size() == maps.size());
+  const auto add = [&](auto& part, const auto& map, std::size_t k, auto& arrays, const std::string& prefix) {
+    if (!surfaces[k].has_value()) return std::string(surfaces[k].error().what());
+    std::visit(
+      [&](const auto& surface) {
+        using Surface = std::decay_t<decltype(surface)>;
+        constexpr bool is_its_map =
+          std::is_same_v<typename std::decay_t<decltype(map)>::Atlas, typename Surface::Atlas>;
+        CGAL_precondition_msg(is_its_map, "the map is not the one of the surface");
+        if constexpr (is_its_map) part.add_surface(surface, reports[k], arrays, prefix);
+      },
+      surfaces[k].value());
+    return std::string();
+  };
+  internal::write_report_of_parts(file, maps, figures, page, add);
 }
 
 } // namespace Simple_manifolds

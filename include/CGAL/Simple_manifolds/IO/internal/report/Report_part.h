@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_REPORT_REPORT_PART_H
+#define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_REPORT_REPORT_PART_H
+
+#include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/IO/Atomic_file.h>
+#include <CGAL/Simple_manifolds/IO/chart_colour.h>
+#include <CGAL/Simple_manifolds/IO/internal/report/Report_arrays.h>
+#include <CGAL/Simple_manifolds/IO/internal/report/Report_mesh.h>
+#include <CGAL/Simple_manifolds/IO/internal/report/control_cells.h>
+#include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
+#include <CGAL/Simple_manifolds/embedding/Fit_report.h>
+#include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+// Collects what a report shows of a map, and of the surface that was fitted to it.
+template <class Map>
+class Report_part {
+public:
+  // `share`: of what a page shows of the mesh and of the surface at most, so that pages of many parts are not larger.
+  Report_part(const Map& map, const nlohmann::ordered_json& figures, double share = 1)
+    : map_(map), share_(share), distortions_(face_distortions(map)),
+      mesh_(
+        report_mesh(map, distortions_, (std::max)(least_faces, static_cast<std::size_t>(share * most_faces))))
+  {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : map.points()) box.extend(p);
+    centre_ = box.center();
+    info_ = {{"faces", mesh_.angle.size()}, {"faces_of_map", distortions_.angle.size()},
+             {"diagonal", unit()},          {"centre", {centre_.x(), centre_.y(), centre_.z()}},
+             {"figures", figures},          {"atlas", facts_of_atlas(map.atlas())}};
+  }
+
+  // Its arrays get names that begin with `prefix`.
+  template <class Surface>
+  void add_surface(const Surface& surface, const Fit_report& report, Report_arrays& arrays,
+                   const std::string& prefix = "")
+  {
+    const int subdivisions = Tile_grid<typename Map::Atlas>::subdivisions_for(
+      share_ * std::clamp(double(map_.number_of_vertices()), 10000., 40000.), map_.atlas());
+    auto tessellation = report_tessellation(map_, surface, subdivisions, distortions_);
+    tessellation.evaluate(map_, surface);
+    tessellation.add_to(arrays, prefix + "surface", map_.atlas(), centre_, unit());
+    mesh_.evaluate(map_, surface);
+
+    std::vector<int> charts;
+    std::vector<Eigen::Vector3d> corners = control_cells(surface, charts);
+    for (Eigen::Vector3d& p : corners) p = (p - centre_) / unit();
+    arrays.add_vectors(prefix + "net.points", corners, 14);
+    arrays.add_integers(prefix + "net.charts", charts);
+
+    nlohmann::ordered_json fit = {{"rms_tolerance", report.rms_tolerance},
+                                  {"max_tolerance", report.max_tolerance}};
+    for (const Fit_report::Chart& c : report.charts)
+      fit["charts"].push_back({{"controls", c.controls}, {"rms", c.rms_error}, {"max", c.max_error}});
+    for (const Fit_report::Level& l : report.levels)
+      fit["levels"].push_back({{"controls", l.controls}, {"rms", l.rms_error}, {"max", l.max_error}});
+    info_["fit"] = std::move(fit);
+  }
+
+  // All that is known of it, after its mesh was added to the arrays.
+  nlohmann::ordered_json add_mesh(Report_arrays& arrays, const std::string& prefix = "")
+  {
+    mesh_.add_to(arrays, prefix + "mesh", map_.atlas(), centre_, unit());
+    return std::move(info_);
+  }
+
+private:
+  static constexpr std::size_t most_faces = 100000, least_faces = 500;
+
+  // All that the page has to know of a canonical surface.
+  template <class Atlas>
+  static nlohmann::ordered_json facts_of_atlas(const Atlas& atlas)
+  {
+    nlohmann::ordered_json facts = {
+      {"name", atlas.name}, {"genus", atlas.genus()}, {"is_closed", atlas.is_closed}};
+    for (int c = 0; c < atlas.number_of_charts(); ++c) {
+      const Eigen::Vector3d colour = 255 * chart_colour(c);
+      char text[8];
+      std::snprintf(text, sizeof text, "#%02x%02x%02x", unsigned(std::lround(colour[0])) & 255,
+                    unsigned(std::lround(colour[1])) & 255, unsigned(std::lround(colour[2])) & 255);
+      facts["charts"].push_back({{"colour", text}});
+    }
+    for (const Domain_shape<Atlas>& shape : domain_shapes(atlas))
+      facts["shapes"].push_back({{"title", shape.title}, {"is_flat", shape.is_flat}});
+    return facts;
+  }
+
+  double unit() const { return map_.diagonal() > 0 ? map_.diagonal() : 1; }
+
+  const Map& map_;
+  double share_;
+  Face_distortions distortions_;
+  Report_mesh<typename Map::Atlas> mesh_;
+  Eigen::Vector3d centre_;
+  nlohmann::ordered_json info_;
+};
+
+// Writes a page with its data.
+inline void write_report_page(const std::string& file, std::string_view page, nlohmann::ordered_json info,
+                              const Report_arrays& arrays)
+{
+  info["arrays"] = arrays.table();
+  std::string text = info.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  for (std::size_t i = text.find('<'); i != std::string::npos; i = text.find('<', i))
+    text.replace(i, 1, "\\u003c"); // nothing in it may end the script element
+  const std::string_view mark = "<!-- data -->";
+  const std::size_t at = page.find(mark);
+  if (at == std::string_view::npos)
+    throw IO_error(Error_code::cannot_write, file, "the page has no place for the data");
+  Atomic_file output(file);
+  output.stream() << page.substr(0, at) << "<script id=\"info\" type=\"application/json\">" << text
+                  << "</script>\n"
+                  << "<script id=\"arrays\" type=\"application/octet-stream\">" << arrays.text()
+                  << "</script>" << page.substr(at + mark.size());
+  output.commit();
+}
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_REPORT_REPORT_PART_H
