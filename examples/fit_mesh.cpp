@@ -182,16 +182,17 @@ struct Fits {
   std::vector<std::string> errors;
 };
 
-// Writes the files of a body, those of several each in its folder. Returns its metrics and its tessellation.
+// Writes the files of a body, those of several each in its folder. `least` is the number of vertices that the
+// tessellation has at least, roughly. Returns the metrics and the tessellation.
 template <class Map, class Surface>
 std::pair<Json, SM::Charted_mesh> write_body(Job& job, const Map& map, const Surface& surface,
                                              const SM::Fit_report& report, Json metrics,
-                                             const std::string& folder)
+                                             const std::string& folder, double least)
 {
   const auto file = [&](const char* name) { return job.folder.file(folder + name); };
   // As many vertices as the mesh has, roughly, so that the tessellation shows what was fitted.
   const int subdivisions = SM::Tile_grid<typename Map::Atlas>::subdivisions_for(
-    std::clamp(double(map.number_of_vertices()), 6000., 200000.), map.atlas());
+    std::clamp(double(map.number_of_vertices()), least, 200000.), map.atlas());
   metrics["parameters"]["subdivisions"] = subdivisions;
   const SM::Mesh_properties properties = SM::map_properties(map, job.input.read.properties);
   SM::Charted_mesh tessellation = job.watch.time("tessellate", [&] {
@@ -223,6 +224,8 @@ template <class AnySurface>
 int write(Job& job, const Parts& maps, Fits<AnySurface> fits, const Json& parameters)
 {
   const bool is_quiet = job.options.get<bool>("quiet"), is_one = maps.size() == 1;
+  const double least =
+    (std::max)(6000. / double(maps.size()), 600.); // so that of hundreds of bodies it is not huge
   std::vector<Json> metrics(maps.size());
   std::vector<SM::Charted_mesh> tessellations;
   std::vector<std::string> names;
@@ -237,7 +240,7 @@ int write(Job& job, const Parts& maps, Fits<AnySurface> fits, const Json& parame
       own["surface"]["smoothness"] = surface.smoothness();
       own["parameters"] = parameters;
       auto [all, tessellation] = write_body(job, map, surface, fits.reports[k], std::move(own),
-                                            is_one ? std::string() : folder_of_part(k) + '/');
+                                            is_one ? std::string() : folder_of_part(k) + '/', least);
       metrics[k] = std::move(all);
       tessellations.push_back(std::move(tessellation));
       names.push_back(part.name);
