@@ -103,10 +103,12 @@ void require_outputs(const Command_line& options, const Fit_request& request, st
     trial.file(name);
     require_not_input(options, (folder / name).string());
   };
-  for (const std::string& name : files_of_body(request)) {
-    require(name);
-    for (std::size_t k = 0; parts > 1 && k < parts; ++k) require(folder_of_part(k) + '/' + name);
-  }
+  for (const std::string& name : files_of_body(request)) require(name);
+  if (parts == 1) return;
+  const std::string input = std::filesystem::path(options.get<std::string>("input")).filename().string();
+  for (std::size_t k = 0; k < parts; ++k)
+    for (const std::string& name : files_of_body(request))
+      if (name == "map.ply" || name == input) require(folder_of_part(k) + '/' + name);
 }
 
 Json metrics_of_errors(const SM::Fit_errors& e)

@@ -39,19 +39,21 @@ Json metrics_of_criteria(const Map& map)
 // Found out before the work: every file can be written, and none of them takes the place of another.
 void require_outputs(const Command_line& options, std::size_t maps)
 {
-  std::vector<std::string> outputs;
+  std::vector<std::string> named; // by an option; the numbered ones differ from each other
   const auto require = [&](const char* name, const std::string& file) {
     {
       const SM::Atomic_file attempt(file);
     } // throws, or leaves no trace
     require_not_input(options, file);
-    for (const std::string& other : outputs)
+    for (const std::string& other : named)
       if (is_same_file(file, other))
         throw Usage_error(std::string("--") + name + ": another result is written to " + other);
-    outputs.push_back(file);
   };
   for (const char* name : {"output", "metrics", "report"})
-    if (options.has(name)) require(name, options.get<std::string>(name));
+    if (options.has(name)) {
+      require(name, options.get<std::string>(name));
+      named.push_back(options.get<std::string>(name));
+    }
   for (std::size_t k = 2; k <= maps; ++k)
     require("output", SM::numbered_file(options.get<std::string>("output"), k));
 }

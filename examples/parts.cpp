@@ -101,7 +101,8 @@ Json metrics_of_parts(const Input& input, const std::vector<SM::Mesh_component>&
       for (const char* of_all :
            {"repair", "parameters", "seconds", "peak_memory_bytes", "program", "version"})
         metrics[k].erase(of_all);
-      for (const char* of_all : {"warnings", "vertex_properties", "face_properties", "dropped_properties"})
+      for (const char* of_all :
+           {"warnings", "vertex_properties", "face_properties", "dropped_properties", "unit"})
         metrics[k]["input"].erase(of_all);
       part.update(metrics[k]);
     }

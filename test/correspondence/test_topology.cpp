@@ -121,7 +121,16 @@ TEST_CASE("requirements say what the mesh is")
   CHECK(error_of([&] { require_closed_genus(disk, 0); }).code() == Error_code::not_closed);
   std::vector<Triangle> annulus = sample::square_grid(3, 3).faces;
   annulus.erase(annulus.begin() + 8, annulus.begin() + 10);
-  CHECK(error_of([&] { require_disk(topology(16, annulus)); }).code() == Error_code::several_border_loops);
+  const auto disk_error = [](const Mesh_topology& t) { return error_of([&] { require_disk(t); }); };
+  const auto says = [](const Error& e, const char* words) {
+    return std::string(e.what()).find(words) != std::string::npos;
+  };
+  CHECK(disk_error(topology(16, annulus)).code() == Error_code::several_border_loops);
+  CHECK(says(disk_error(topology(16, annulus)), "--close-borders inner"));
+  std::vector<Triangle> handle = sample::torus_grid(3, 3).faces; // a torus with a hole
+  handle.pop_back();
+  CHECK(disk_error(topology(9, handle)).code() == Error_code::wrong_genus);
+  CHECK(says(disk_error(topology(9, handle)), "--close-borders all"));
   CHECK_NOTHROW(require_closed_genus(topology(9, sample::torus_grid(3, 3).faces), 1));
   CHECK(error_of([&] { require_closed_genus(topology(9, sample::torus_grid(3, 3).faces), 0); }).code() ==
         Error_code::wrong_genus);
