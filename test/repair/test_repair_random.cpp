@@ -205,6 +205,11 @@ TEST_CASE("spoilt meshes are repaired to oriented manifolds, without losses, and
   check_spoilt_meshes(1, 500);
 }
 
+TEST_CASE("a weld and a cut that undo each other come to an end, and copies that welds bring about go")
+{
+  for (const unsigned seed : {1022u, 1533u, 2146u, 3950u, 4613u, 10096u}) check_spoilt_meshes(seed, 1);
+}
+
 TEST_CASE("ten thousand spoilt meshes", "[.full]") { check_spoilt_meshes(1000, 10000); }
 
 } // namespace test_repair_random

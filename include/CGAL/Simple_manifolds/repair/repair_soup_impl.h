@@ -84,27 +84,52 @@ inline void drop_faces(Soup_in_repair& r, const Repair_options& options)
 }
 
 // Drops faces and welds until nothing changes: each round has fewer vertices with faces. Returns whether anything was
-// joined.
+// done.
 // is_joined: the vertices that have no face any more.
 inline bool drop_and_weld(Soup_in_repair& r, const Repair_options& options, std::vector<char>& is_joined)
 {
+  const int faces = r.soup.number_of_faces();
   for (bool has_joined = false;; has_joined = true) {
     drop_faces(r, options);
-    if (!options.weld_distance) return false;
     r.report.left.coincident_borders = {};
-    if (!Border_welder(r, *options.weld_distance * diagonal_of_faces(r.soup))(is_joined)) return has_joined;
+    if (!options.weld_distance ||
+        !Border_welder(r, *options.weld_distance * diagonal_of_faces(r.soup))(is_joined))
+      return has_joined || r.soup.number_of_faces() < faces;
   }
 }
 
-// Cuts. What is border then may coincide with other border, and is welded; to be on the safe side not for ever.
-inline void cut(Soup_in_repair& r, const Repair_options& options, std::vector<char>& is_joined)
+// Whether there is nothing to cut or to turn.
+inline bool is_oriented_manifold(const Mesh_soup& soup)
 {
-  for (int rounds = 8; rounds > 0; --rounds) {
-    cut_non_manifold(r);
-    if (!drop_and_weld(r, options, is_joined)) return;
-  }
-  cut_non_manifold(r);
+  Surface_faults faults = surface_faults(soup);
+  faults.non_finite_vertices = {};
+  return faults.is_empty();
+}
+
+inline std::ptrdiff_t number_of_border_edges(const Mesh_soup& soup)
+{
+  const std::vector<int> glued = glued_half_edges(soup);
+  return std::count(glued.begin(), glued.end(), -1);
+}
+
+// Welds and cuts in turn: what is border after a cut may coincide with other border. Manifolds are welded and cut once
+// more only where that leaves fewer faces or a shorter border; else weld and cut undo each other, and neither is done.
+// So there is an end, and at the end nothing to do.
+inline void weld_and_cut(Soup_in_repair& r, const Repair_options& options, std::vector<char>& is_joined)
+{
   drop_faces(r, options);
+  for (bool is_manifold = is_oriented_manifold(r.soup);; is_manifold = true) {
+    const Soup_in_repair before = r;
+    const std::vector<char> was_joined = is_joined;
+    if (!drop_and_weld(r, options, is_joined) && is_manifold) return;
+    cut_non_manifold(r);
+    if (!is_manifold || r.soup.number_of_faces() < before.soup.number_of_faces() ||
+        number_of_border_edges(r.soup) < number_of_border_edges(before.soup))
+      continue;
+    r = before;
+    is_joined = was_joined;
+    return;
+  }
 }
 
 CGAL_SIMPLE_MANIFOLDS_INLINE Mesh_soup repair_soup(Mesh_soup input, const Repair_options& options,
@@ -115,14 +140,16 @@ CGAL_SIMPLE_MANIFOLDS_INLINE Mesh_soup repair_soup(Mesh_soup input, const Repair
   r.report.unused_vertices = number_of_unused_vertices(r.soup);
   if (options.drop_non_finite) drop_non_finite_faces(r);
   std::vector<char> is_joined;
-  drop_and_weld(r, options, is_joined);
-  if (options.cut_non_manifold) {
-    cut(r, options, is_joined);
-  } else if (options.face_orientation != Face_orientation::AS_IS) {
+  do {
+    if (options.cut_non_manifold)
+      weld_and_cut(r, options, is_joined);
+    else
+      drop_and_weld(r, options, is_joined);
+  } while (options.debris_share > 0 && drop_debris(r, options.debris_share));
+  if (!options.cut_non_manifold && options.face_orientation != Face_orientation::AS_IS) {
     std::vector<int> glued = glued_half_edges(r.soup);
     orient_patches(r, glued);
   }
-  if (options.debris_share > 0) drop_debris(r, options.debris_share);
   if (options.face_orientation == Face_orientation::OUTWARD) orient_outward(r);
 
   const Located_elements coincident_borders = r.report.left.coincident_borders;

@@ -87,11 +87,12 @@ inline void orient_outward(Soup_in_repair& r)
   turn_faces(r, is_turned, glued);
 }
 
-// Drops components that have both fewer faces and less area than a share of the largest ones.
-inline void drop_debris(Soup_in_repair& r, double share)
+// Drops components that have both fewer faces and less area than a share of the largest ones. Returns whether there were
+// any.
+inline bool drop_debris(Soup_in_repair& r, double share)
 {
   const Components components(r.soup);
-  if (components.number < 2) return;
+  if (components.number < 2) return false;
   const std::vector<Component_measure> measures =
     measure_components(r.soup, components, std::vector<int>(r.soup.number_of_half_edges(), -1));
   Component_measure largest;
@@ -114,6 +115,7 @@ inline void drop_debris(Soup_in_repair& r, double share)
     is_kept[f] = is_clean = false;
   }
   if (!is_clean) r.keep_faces(is_kept);
+  return !is_clean;
 }
 
 } // namespace internal
