@@ -177,6 +177,13 @@ if(PART STREQUAL properties)
     "property list uchar int vertex_indices\nproperty list uchar float texcoord\nproperty int label\n"
     "element edge 1\nproperty int v\nend_header\n0 0 0 9 8 7\n1 0 0 9 8 7\n0 1 0 9 8 7\n0 0 1 9 8 7\n"
     "3 0 2 1 0 5\n3 0 1 3 0 6\n3 1 2 3 0 7\n3 2 0 3 0 8\n4\n")
+  execute_process(COMMAND ${MAP_MESH} ${WORK}/in.ply --inspect OUTPUT_VARIABLE out)
+  execute_process(COMMAND ${MAP_MESH} ${WORK}/in.ply --inspect --json OUTPUT_VARIABLE json)
+  string(JSON face_property ERROR_VARIABLE error GET "${json}" face_properties 0)
+  if(NOT out MATCHES "\n +warning +1 element that is no face.*\n +properties +colour, label\n"
+      OR NOT face_property STREQUAL label)
+    message(SEND_ERROR "--inspect says nothing of the properties:\n${out}")
+  endif()
   foreach(program ${MAP_MESH} ${FIT_MESH})
     set(output ${WORK}/fit)
     set(options --tolerance 0.3)

@@ -129,24 +129,7 @@ private:
   {
     if (metrics_.contains("repair") && metrics_["repair"].contains("sentence"))
       line("repaired", metrics_["repair"]["sentence"]);
-    if (const std::string unit = input["unit"]; !unit.empty())
-      line("unit", unit + " in the file, not converted");
-    for (const Json& warning : input["warnings"]) line("warning", warning["sentence"]);
-    add_properties(input);
-  }
-
-  // Properties of vertices and faces, which go with the map, and what else the file has.
-  void add_properties(const Json& input)
-  {
-    std::string kept, dropped;
-    const auto add = [](std::string& to, const Json& name) {
-      to += (to.empty() ? "" : ", ") + name.get<std::string>();
-    };
-    for (const char* list : {"vertex_properties", "face_properties"})
-      for (const Json& name : input[list]) add(kept, name);
-    for (const Json& property : input["dropped_properties"]) add(dropped, property["name"]);
-    if (!kept.empty()) line("properties", kept);
-    if (!dropped.empty()) line("dropped", dropped + ": neither vertices nor faces have a value of it each");
+    for (const auto& [name, value] : lines_of_reading(input)) line(name, value);
   }
 
   void add_surface(const Json& s)
@@ -223,6 +206,25 @@ private:
 };
 
 } // namespace
+
+std::vector<std::pair<std::string, std::string>> lines_of_reading(const Json& reading)
+{
+  std::vector<std::pair<std::string, std::string>> lines;
+  if (const std::string unit = reading["unit"]; !unit.empty())
+    lines.emplace_back("unit", unit + " in the file, not converted");
+  for (const Json& warning : reading["warnings"]) lines.emplace_back("warning", warning["sentence"]);
+  std::string kept, dropped;
+  const auto add = [](std::string& to, const Json& name) {
+    to += (to.empty() ? "" : ", ") + name.get<std::string>();
+  };
+  for (const char* list : {"vertex_properties", "face_properties"})
+    for (const Json& name : reading[list]) add(kept, name);
+  for (const Json& property : reading["dropped_properties"]) add(dropped, property["name"]);
+  if (!kept.empty()) lines.emplace_back("properties", kept);
+  if (!dropped.empty())
+    lines.emplace_back("dropped", dropped + ": neither vertices nor faces have a value of it each");
+  return lines;
+}
 
 std::string figures(const Json& metrics) { return Figures(metrics).text(); }
 

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace tools {
 
@@ -17,6 +19,9 @@ std::string shown(double x);
 
 /// The same of a figure of the metrics, which may be none.
 std::string shown(const Json& x);
+
+/// What a file has beside its mesh, of the metrics of reading, as lines: their names, and what they say.
+std::vector<std::pair<std::string, std::string>> lines_of_reading(const Json& reading);
 
 /// The lines and the table.
 std::string figures(const Json& metrics);

@@ -216,7 +216,9 @@ bool is_inspection(const Command_line& options)
 int inspect(const Command_line& options)
 {
   const std::string file = options.get<std::string>("input");
-  const SM::Mesh_soup soup = SM::read_soup(file);
+  SM::Read_report beside;
+  const SM::Mesh_soup soup = SM::read_soup(file, beside);
+  const Json reading = metrics_of_reading(beside);
   SM::Repair_options as_read, everything = SM::repair_everything();
   as_read.weld_distance = everything.weld_distance = repair_options(options).weld_distance;
   std::vector<Plan> plans = {plan(soup, as_read, false), plan(soup, everything, true)};
@@ -224,15 +226,16 @@ int inspect(const Command_line& options)
   const std::string command = choice.command(file, options);
 
   if (options.get<bool>("json")) {
-    const Json json{{"file", file},
-                    {"vertices", soup.number_of_vertices()},
-                    {"unused_vertices", plans[0].report.unused_vertices},
-                    {"faces", soup.number_of_faces()},
-                    {"read", json_of_plan(plans[0], choice)},
-                    {"repaired", json_of_plan(plans[1], choice)},
-                    {"parts", choice.parts()},
-                    {"served_parts", choice.served},
-                    {"command", command.empty() ? Json(nullptr) : Json(command)}};
+    Json json{{"file", file},
+              {"vertices", soup.number_of_vertices()},
+              {"unused_vertices", plans[0].report.unused_vertices},
+              {"faces", soup.number_of_faces()},
+              {"read", json_of_plan(plans[0], choice)},
+              {"repaired", json_of_plan(plans[1], choice)},
+              {"parts", choice.parts()},
+              {"served_parts", choice.served},
+              {"command", command.empty() ? Json(nullptr) : Json(command)}};
+    json.update(reading);
     std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << std::endl;
     return SUCCESS;
   }
@@ -247,6 +250,7 @@ int inspect(const Command_line& options)
     table.line("bounding box", shown(size.x()) + " x " + shown(size.y()) + " x " + shown(size.z()) + " at (" +
                                  shown(low.x()) + ", " + shown(low.y()) + ", " + shown(low.z()) + ")");
   }
+  for (const auto& [name, value] : lines_of_reading(reading)) table.line(name, value);
   for (const Plan& p : plans)
     if (!p.has_repair || p.report.sentence() != plans[0].report.sentence()) table.add(p);
   if (command.empty())

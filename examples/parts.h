@@ -72,12 +72,12 @@ Json metrics_of_input(const Input& input, const SM::Mesh_component& part, const 
   faces.resize(faces.size() - map.number_of_virtual_faces());
   Input own;
   own.file = input.file;
-  own.read = input.read;
   own.topology = SM::topology(map.number_of_vertices(), faces);
   own.topology.vertices = part.vertices.size();
   own.topology.faces = part.faces.size();
   own.topology.isolated_vertices = 0;
   Json metrics = metrics_of_input(own, map);
+  metrics.update(metrics_of_reading(input.read)); // without a copy of it for each part
   metrics["components"] = input.topology.components;
   return metrics;
 }

@@ -108,6 +108,9 @@ TEST_CASE("warnings of a reader reach the caller with their counts")
   SM::Read_report read;
   SM::read_mesh(folder("w.obj"), mesh, SM::parameters::read_report(std::ref(read)));
   REQUIRE(read.warnings.size() == 2);
+  SM::Read_report of_soup;
+  CHECK(SM::read_soup(folder("w.obj"), of_soup).number_of_faces() == 1);
+  CHECK(of_soup.warnings.size() == 2);
   CHECK(read.warnings[0].kind == SM::Read_warning::UNKNOWN_STATEMENTS);
   CHECK(read.warnings[1].kind == SM::Read_warning::SKIPPED_ELEMENTS);
   CHECK(read.warnings[1].count == 2);
@@ -269,6 +272,13 @@ TEST_CASE("each format takes the properties for which it has a place, and names 
   CHECK_THAT(glb, ContainsSubstring("\"_LABEL\":"));
   CHECK_THAT(glb, !ContainsSubstring("_GAPS"));
   CHECK_THAT(glb, ContainsSubstring("\"VEC4\"")); // colours
+
+  // Faces in no chart have no other coordinates: those of the mesh are the first.
+  const SM::Manifold_map<SM::Sphere_atlas> large = tetrahedron_map();
+  const SM::Mesh_properties uv{{{"uv", 2, Scalar_type::FLOAT32, {0, 0, 1, 0, 0, 1, 1, 1}}}, {}, {}};
+  SM::write_gltf(folder("l.glb"), SM::charted_mesh(large, SM::parameters::mesh_properties(std::cref(uv))));
+  CHECK_THAT(folder.read("l.glb"),
+             ContainsSubstring("\"TEXCOORD_0\"") && !ContainsSubstring("\"TEXCOORD_1\""));
 
   // What is read back is what was written.
   for (const char* name : {"c.ply", "c.vtp"}) {

@@ -14,6 +14,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -192,7 +193,38 @@ TEST_CASE("objects of a 3MF package can be in other parts, and materials are nam
             "<item objectid=\"1\"/><item objectid=\"1\" p:path=\"/3D/other.model\"/>")},
      {"3D/other.model", model("<object id=\"1\" pid=\"5\">" + tetrahedron + "</object>", ""), true}}));
   CHECK(mesh.number_of_faces() == 8);
-  CHECK(mesh.properties.dropped == std::vector<std::string>{"materials and colours of 3MF"});
+  CHECK(mesh.properties.dropped ==
+        std::vector<std::string>{"materials of 3MF that are not one colour per face"});
+  CHECK(mesh.properties.face.empty());
+}
+
+TEST_CASE("faces of 3MF have the colours of their groups, or of their object's")
+{
+  std::string coloured = tetrahedron;
+  const auto give = [&](const std::string& triangle, const std::string& attributes) {
+    coloured.insert(coloured.find(triangle) + triangle.size(), ' ' + attributes);
+  };
+  give("v1=\"0\" v2=\"1\" v3=\"3\"", "pid=\"9\" p1=\"1\" p2=\"1\" p3=\"1\"");
+  give("v1=\"1\" v2=\"2\" v3=\"3\"", "pid=\"9\" p1=\"1\" p2=\"0\" p3=\"1\"");
+  const File_mesh mesh =
+    read_model("<basematerials id=\"8\"><base name=\"x\" "
+               "displaycolor=\"#0102ff\"/></basematerials><m:colorgroup id=\"9\"><m:color "
+               "color=\"#10203040\"/><m:color color=\"#FFFFFF00\"/></m:colorgroup><object id=\"0\">" +
+                 tetrahedron + "</object><object id=\"1\" pid=\"8\" pindex=\"0\">" + coloured + "</object>",
+               "<item objectid=\"0\"/><item objectid=\"1\"/>");
+  REQUIRE(mesh.properties.face.size() == 1);
+  const SM::Mesh_property& colour = mesh.properties.face[0];
+  CHECK(colour.name == "colour");
+  REQUIRE(colour.size() == 8);
+  CHECK(std::isnan(colour(0, 0)));
+  const auto row = [&](std::size_t f) {
+    return std::vector<double>{colour(f, 0), colour(f, 1), colour(f, 2), colour(f, 3)};
+  };
+  CHECK(row(4) == std::vector<double>{1, 2, 255, 255});
+  CHECK(row(5) == std::vector<double>{255, 255, 255, 0});
+  CHECK(std::isnan(colour(6, 0))); // it changes within the face
+  CHECK(row(7) == row(4));
+  CHECK(mesh.properties.dropped.size() == 1);
 }
 
 TEST_CASE("what is wrong with a 3MF package is said")

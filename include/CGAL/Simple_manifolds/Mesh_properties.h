@@ -89,27 +89,27 @@ struct Mesh_properties {
 /// \param number_of_vertices, number_of_faces  of the mesh. Elements beyond the array of `input`, and those that it gives -1
 ///   for, have NaN
 /// \pre `properties` have values for all elements that `input` names
-inline Mesh_properties selected_properties(Mesh_properties properties, const Input_indices& input,
+inline Mesh_properties selected_properties(const Mesh_properties& properties, const Input_indices& input,
                                            std::size_t number_of_vertices, std::size_t number_of_faces)
 {
-  const auto select = [](std::vector<Mesh_property>& list, const std::vector<int>& elements,
-                         std::size_t size) {
-    for (Mesh_property& p : list) {
-      if (elements.empty() && p.size() == size) continue;
+  const auto selected = [](const std::vector<Mesh_property>& list, const std::vector<int>& elements,
+                           std::size_t size) {
+    std::vector<Mesh_property> result;
+    for (const Mesh_property& p : list) {
       const auto n = static_cast<std::size_t>(p.components);
-      std::vector<double> values(n * size, std::numeric_limits<double>::quiet_NaN());
+      result.push_back({p.name, p.components, p.type,
+                        std::vector<double>(n * size, std::numeric_limits<double>::quiet_NaN())});
       const std::size_t named = elements.empty() ? p.size() : elements.size();
       for (std::size_t i = 0; i < (std::min)(size, named); ++i) {
-        const auto from = elements.empty() ? i : static_cast<std::size_t>(elements[i]);
-        if (elements.empty() || elements[i] >= 0)
-          for (std::size_t k = 0; k < n; ++k) values[n * i + k] = p(from, k);
+        if (!elements.empty() && elements[i] < 0) continue;
+        const std::size_t from = elements.empty() ? i : static_cast<std::size_t>(elements[i]);
+        for (std::size_t k = 0; k < n; ++k) result.back().values[n * i + k] = p(from, k);
       }
-      p.values = std::move(values);
     }
+    return result;
   };
-  select(properties.vertex, input.vertices, number_of_vertices);
-  select(properties.face, input.faces, number_of_faces);
-  return properties;
+  return {selected(properties.vertex, input.vertices, number_of_vertices),
+          selected(properties.face, input.faces, number_of_faces), properties.dropped};
 }
 
 namespace internal {

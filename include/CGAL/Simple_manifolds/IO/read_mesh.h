@@ -67,6 +67,12 @@ inline Mesh_topology topology_of_repaired(const std::string& file, const Mesh_so
   }
 }
 
+// Takes what is no mesh out of what a file holds.
+inline Read_report report_of(File_mesh& contents)
+{
+  return {std::move(contents.warnings), std::move(contents.properties), std::move(contents.unit)};
+}
+
 } // namespace internal
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -74,8 +80,19 @@ inline Mesh_topology topology_of_repaired(const std::string& file, const Mesh_so
 /// The points and faces that a file holds, as they stand in it, for `repair_soup()` and `inspect_soup()`. Corners of an
 /// STL with equal coordinates are one vertex.
 /// \param file  as for `read_mesh()`
+/// \param report  receives what the file has beside the mesh; the properties are those of its vertices and faces
 /// \throw IO_error when the file is missing, empty, truncated, of another format, or refers to a vertex that does not
 ///   exist
+inline Mesh_soup read_soup(const std::string& file, Read_report& report)
+{
+  internal::File_mesh contents = internal::read_file_mesh(file);
+  report = internal::report_of(contents);
+  return Mesh_soup(std::move(contents));
+}
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// The same without a report.
 inline Mesh_soup read_soup(const std::string& file) { return internal::read_file_mesh(file); }
 
 /// \ingroup PkgSimpleManifoldsIO
@@ -128,15 +145,15 @@ Mesh_topology read_mesh(const std::string& file, MutableFaceGraph& mesh,
   internal::File_mesh contents = internal::read_file_mesh(file);
   Read_report own_read_report;
   Read_report& read = internal::parameter(np, internal_np::read_report, own_read_report);
-  read = Read_report{std::move(contents.warnings), std::move(contents.properties), std::move(contents.unit)};
+  read = internal::report_of(contents);
   Repair_report own_report;
   Repair_report& report = internal::parameter(np, internal_np::repair_report, own_report);
   const Mesh_soup soup = internal::repair_soup(std::move(contents), internal::repair_options(np), report);
   std::vector<int> opposite;
   const Mesh_topology result = internal::topology_of_repaired(file, soup, report, read.warnings, opposite);
-  read.properties = selected_properties(std::move(read.properties), report.input,
-                                        static_cast<std::size_t>(soup.number_of_vertices()),
-                                        static_cast<std::size_t>(soup.number_of_faces()));
+  read.properties =
+    selected_properties(read.properties, report.input, static_cast<std::size_t>(soup.number_of_vertices()),
+                        static_cast<std::size_t>(soup.number_of_faces()));
 
   auto points =
     internal::parameter(np, CGAL::internal_np::vertex_point, get_property_map(CGAL::vertex_point, mesh));

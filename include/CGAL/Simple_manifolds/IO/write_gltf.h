@@ -99,8 +99,9 @@ public:
     if (!normals.empty()) attributes["NORMAL"] = add_vectors(normals);
     if (part.has_coordinates()) attributes["TEXCOORD_0"] = add_vectors(coordinates);
 
-    for (const auto& [name, property] : attributes_)
-      attributes[name] = add_property(*property, part.vertices);
+    for (const auto& [name, property] : attributes_) // sets of coordinates are numbered from 0 without a gap
+      attributes[name == "TEXCOORD_1" && !part.has_coordinates() ? "TEXCOORD_0" : name] =
+        add_property(*property, part.vertices);
 
     Json surface = {{"metallicFactor", 0}, {"roughnessFactor", 0.7}};
     if (part.image) {
@@ -293,7 +294,7 @@ private:
 /// bounding box. Units are what they are: viewers take them for metres. Fields are not written. Each of several parts is a
 /// node and a mesh with its name.
 ///
-/// Of the properties of vertices, a `colour` is that of the vertices where there are no images, `uv` is `TEXCOORD_1`, and
+/// Of the properties of vertices, a `colour` is that of the vertices where there are no images, `uv` is `TEXCOORD_1` (on faces that are in no chart `TEXCOORD_0`), and
 /// others with up to four finite components are attributes with an underscore and capitals, such as `_TEMPERATURE`.
 ///
 /// \param np  named parameters

@@ -175,9 +175,9 @@ face_properties_at([[maybe_unused]] const Manifold_map<Atlas>& map,
 {
   Input_indices faces;
   for (const auto& location : locations) faces.faces.push_back(location.face);
-  Mesh_properties of_map{{}, properties, {}};
+  const Mesh_properties of_map{{}, properties, {}};
   CGAL_precondition(of_map.suits(0, map.number_of_faces()));
-  return selected_properties(std::move(of_map), faces, 0, locations.size()).face;
+  return selected_properties(of_map, faces, 0, locations.size()).face;
 }
 
 } // namespace Simple_manifolds

@@ -11,13 +11,18 @@
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/internal/File_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/Placement.h>
+#include <CGAL/Simple_manifolds/IO/internal/Property_rows.h>
 #include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
 #include <CGAL/Simple_manifolds/IO/internal/Xml_scanner.h>
 #include <CGAL/Simple_manifolds/IO/internal/Zip_archive.h>
+#include <CGAL/Simple_manifolds/Mesh_properties.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -32,7 +37,8 @@ namespace Simple_manifolds {
 namespace internal {
 
 // The meshes that a 3MF package builds, each in its place: 3MF core specification 1.3, with the paths of the production
-// extension. Materials, slices and beams are not read.
+// extension and the groups of colours of the materials extension. A face has a colour if it is the same at its corners.
+// Textures, mixed materials, slices and beams are not read.
 class Three_mf_reader {
 public:
   // The contents of a part of the package by its path, or nothing.
@@ -52,6 +58,9 @@ public:
       for (const auto& [id, object] : root.objects)
         if (!object.is_component) place({path, id, Placement()}, Placement(), 0);
     for (const Reference& item : root.items) place(item, Placement(), 0);
+    colours_.add_to(mesh_.properties.face, std::size_t(mesh_.number_of_faces()));
+    if (has_other_materials_)
+      mesh_.properties.dropped.push_back("materials of 3MF that are not one colour per face");
     return std::move(mesh_);
   }
 
@@ -64,9 +73,11 @@ private:
     std::string path, id;
     Placement placement;
   };
+  using Colour = std::array<double, 4>; // red, green, blue, opacity, from 0 to 255
   struct Object {
     std::vector<Eigen::Vector3d> points;
     std::vector<Triangle> faces;
+    std::map<std::size_t, Colour> colours; // of faces
     std::vector<Reference> components;
     bool is_component = false; // of another one of its part
   };
@@ -116,9 +127,13 @@ private:
     Xml_scanner xml(file_, text);
     std::string_view prefix; // of the names of the core specification, with its colon
     Object* object = nullptr;
+    std::map<std::string, std::vector<Colour>> groups; // of colours
+    std::vector<Colour>* group = nullptr;
+    std::string group_of_object, index_of_object;
     for (bool is_first = true;; is_first = false) {
       Xml_scanner::Tag tag = xml.next();
       if (is_first) prefix = tag.name.substr(0, tag.name.find(':') + 1);
+      const std::string_view name = tag.name.substr(tag.name.find(':') + 1); // of whatever extension
       if (tag.name.substr(0, prefix.size()) != prefix) tag.name = std::string_view();
       tag.name.remove_prefix((std::min)(prefix.size(), tag.name.size()));
       if (is_first && parts_.empty())
@@ -136,9 +151,27 @@ private:
                                  to_index(number(xml, tag, "v3"))});
       if (object && tag.begins("component")) object->components.push_back(reference(xml, tag, path));
       if (tag.begins("item")) part.items.push_back(reference(xml, tag, path));
-      if ((tag.begins("object") || tag.begins("triangle")) && !tag["pid"].empty() && !has_materials_) {
-        has_materials_ = true;
-        mesh_.properties.dropped.push_back("materials and colours of 3MF");
+      if (tag.is_begin && (name == "basematerials" || name == "colorgroup"))
+        group = &groups[std::string(tag["id"])];
+      if (tag.is_begin && group && name == "base") group->push_back(colour(tag["displaycolor"]));
+      if (tag.is_begin && group && name == "color") group->push_back(colour(tag["color"]));
+      if (tag.is_end && (name == "basematerials" || name == "colorgroup")) group = nullptr;
+      if (tag.begins("object")) {
+        group_of_object = tag["pid"];
+        index_of_object = tag["pindex"];
+      }
+      if (object && tag.begins("triangle")) {
+        const std::string of_face(tag["pid"].empty() ? std::string_view(group_of_object) : tag["pid"]);
+        const std::string_view index = tag["p1"].empty() ? std::string_view(index_of_object) : tag["p1"];
+        const auto is_same = [&](const char* corner) { return tag[corner].empty() || tag[corner] == index; };
+        const auto colours = groups.find(of_face);
+        double i = -1;
+        if (!Text_scanner::is_number(index, i)) i = -1;
+        if (colours != groups.end() && i >= 0 && i < double(colours->second.size()) && is_same("p2") &&
+            is_same("p3"))
+          object->colours[object->faces.size() - 1] = colours->second[std::size_t(i)];
+        else if (!of_face.empty())
+          has_other_materials_ = true;
       }
       if (tag.ends("object")) object = nullptr;
       if (tag.ends("model")) break;
@@ -149,6 +182,18 @@ private:
             at != part.objects.end() && component.path == path)
           at->second.is_component = true;
     return part;
+  }
+
+  // "#RRGGBB" or "#RRGGBBAA"; what is none is white.
+  static Colour colour(std::string_view text)
+  {
+    Colour c = {255, 255, 255, 255};
+    for (std::size_t k = 0; k < 4 && 2 * k + 2 < text.size(); ++k) {
+      int x = 0;
+      const char* const begin = text.data() + 2 * k + 1;
+      if (text[0] == '#' && std::from_chars(begin, begin + 2, x, 16).ptr == begin + 2 && x >= 0) c[k] = x;
+    }
+    return c;
   }
 
   static double number(const Xml_scanner& xml, const Xml_scanner::Tag& tag, const char* name)
@@ -198,7 +243,7 @@ private:
     if (size > left_) fail("copies of the components are too many for so small a file");
     left_ -= size;
     const Placement placement = outer * reference.placement;
-    const std::size_t first = mesh_.points.size();
+    const std::size_t first = mesh_.points.size(), first_face = std::size_t(mesh_.number_of_faces());
     for (const Eigen::Vector3d& x : object.points) mesh_.points.push_back(placement(x));
     const bool is_mirrored = placement.is_mirrored();
     for (const Triangle& t : object.faces) {
@@ -212,6 +257,7 @@ private:
       }
       mesh_.end_face();
     }
+    for (const auto& [f, colour] : object.colours) colours_.put(first_face + f, colour.begin(), colour.end());
     for (const Reference& component : object.components) place(component, placement, level + 1);
   }
 
@@ -219,7 +265,8 @@ private:
   Part_source source_;
   std::size_t left_; // vertices, faces and components that may still be added
   std::map<std::string, Part> parts_;
-  bool has_materials_ = false;
+  bool has_other_materials_ = false;
+  Property_rows colours_{"colour", 4, Scalar_type::UINT8};
   File_mesh mesh_;
 };
 
