@@ -220,6 +220,16 @@ if(PART STREQUAL properties)
   endforeach()
 endif()
 
+# Facets that have collapsed in 32 bits are named as the possible cause of a refusal.
+if(PART STREQUAL properties)
+  set(header "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 4\nproperty list uchar int vertex_indices\nend_header\n")
+  file(WRITE ${WORK}/tube.ply ${header} "4e6 0 0\n4e6 0 0\n4000001 0 0\n4e6 1 0\n4e6 0 1\n4e6 0 1\n4000001 0 1\n4e6 1 1\n"
+    "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n")
+  run(4 "border.* edges of faces have no length since the numbers of 32 bits" ${MAP_MESH} ${WORK}/tube.ply
+    -o ${WORK}/tube.map.ply)
+endif()
+
 # ---- The corners of the square: those of a patch by itself, or others on demand ---------------------
 if(PART STREQUAL corners)
   set(grid "OFF\n25 16 0\n")

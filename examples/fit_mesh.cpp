@@ -248,7 +248,7 @@ int write(Job& job, const Parts& maps, Fits<AnySurface> fits, const Json& parame
       names.push_back(part.name);
     });
   });
-  report_errors("fit_mesh", fits.surfaces);
+  report_errors("fit_mesh", fits.surfaces, job.input);
   Json shown = metrics[0];
   if (!is_one) {
     shown = metrics_of_parts(job.input, fits.surfaces, std::move(metrics));
@@ -455,7 +455,7 @@ int main(int argc, char** argv)
     Parts maps = watch.time("map", [&] {
       return map_parts(options, input, SM::map_options_for_fitting(), square_corners, partitions, progress);
     });
-    if (SM::number_of_values(maps) == 0) report_errors("fit_mesh", maps); // throws
+    if (SM::number_of_values(maps) == 0) report_errors("fit_mesh", maps, input); // throws
     Job job{options, request, input, partitions, folder, progress, watch};
     if (request.is_patches) return fit_patches(job, maps);
     if (request.smoothness == 2) // the fastest

@@ -144,7 +144,7 @@ int main(int argc, char** argv)
     for_each_part(parts, [&](const auto& part, std::size_t k) {
       figures_of_parts[k] = metrics_of_part(input, part, watch);
     });
-    report_errors("map_mesh", parts);
+    report_errors("map_mesh", parts, input);
     const bool is_one = parts.size() == 1;
     Json metrics = is_one ? figures_of_parts[0] : metrics_of_parts(input, parts, figures_of_parts);
     metrics["parameters"] = {{"method", options.get<std::string>("method")},

@@ -94,16 +94,21 @@ struct Part_message {
 /// Says it on stderr: a line for each message, with the names of its parts; not hundreds of either.
 void say_of_parts(const char* program, const std::vector<Part_message>& messages);
 
-/// Says what is wrong with the parts that have no value.
+/// Says what is wrong with the parts that have no value, and if none has one, whether the numbers in the file can be the
+/// cause.
 /// \throw SM::Error  when no part has a value
 template <class Value>
-void report_errors(const char* program, const std::vector<SM::Component<Value>>& parts)
+void report_errors(const char* program, const std::vector<SM::Component<Value>>& parts, const Input& input)
 {
   if (SM::number_of_values(parts) == 0) {
     const SM::Error& first = parts.front().error();
-    if (parts.size() == 1) throw SM::Error(first);
-    throw SM::Error(first.code(), "none of the " + std::to_string(parts.size()) + " bodies can be served; " +
-                                    parts.front().name + ": " + first.what());
+    std::string message = first.what();
+    if (parts.size() > 1)
+      message = "none of the " + std::to_string(parts.size()) + " bodies can be served; " +
+                parts.front().name + ": " + message;
+    for (const SM::Read_warning& w : input.read.warnings)
+      if (w.kind == SM::Read_warning::SINGLE_PRECISION) message += "; " + w.sentence();
+    throw SM::Error(first.code(), message);
   }
   std::vector<Part_message> messages;
   for (const SM::Component<Value>& part : parts)
