@@ -58,7 +58,13 @@ function show_head({ info, parts }) {
 }
 
 function show_notice({ info }, parts = []) {
-  const lines = parts.filter(part => part.info.error).map(({ info: { name, error } }) => `${name}: ${error}.`);
+  const names = new Map(); // of the parts that an error is of
+  for (const { info } of parts)
+    if (info.error) names.set(info.error, [...(names.get(info.error) || []), info.name]);
+  const lines = [...names].map(([error, list]) => {
+    const more = list.length > 3 ? ` and ${list.length - 3} more` : '';
+    return `${list.slice(0, 3).join(', ')}${more}: ${error}.`;
+  });
   if (info.faces_of_map > info.faces)
     lines.unshift(
       `The mesh has ${count(info.faces_of_map)} faces. To keep this page small it is shown ` +
