@@ -407,8 +407,11 @@ int main(int argc, char** argv)
   return run("fit_mesh", [&]() -> int {
     Command_line options(
       "fit_mesh INPUT -o DIR [options]",
-      "Fits a smooth surface to a mesh (OFF, OBJ, PLY, STL; closed of genus 0 or 1, or a disk) and writes\n"
-      "into DIR: map.ply (a map that suits the fit: angles before areas), surface.json, surface.ply,\n"
+      "Fits a smooth surface to a mesh (OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer, 3MF, COLLADA, with "
+      "assimp\n"
+      "glTF; closed of genus 0 or 1, or a disk) and writes into DIR, with coordinates in the units of the "
+      "file:\n"
+      "map.ply (a map that suits the fit: angles before areas), surface.json, surface.ply,\n"
       "metrics.json, report.html (all this for a browser) and, with --samples, samples.csv.\n"
       "Of several bodies each has its files in DIR/part-1 (the largest), DIR/part-2, ...; surface.json,\n"
       "surface.ply, metrics.json and report.html in DIR are of all of them.\n"
