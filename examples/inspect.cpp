@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <future>
 #include <iostream>
 #include <map>
 #include <string>
@@ -221,7 +222,9 @@ int inspect(const Command_line& options)
   const Json reading = metrics_of_reading(beside);
   SM::Repair_options as_read, everything = SM::repair_everything();
   as_read.weld_distance = everything.weld_distance = repair_options(options).weld_distance;
-  std::vector<Plan> plans = {plan(soup, as_read, false), plan(soup, everything, true)};
+  auto repaired = std::async([&] { return plan(soup, everything, true); });
+  std::vector<Plan> plans = {plan(soup, as_read, false)};
+  plans.push_back(repaired.get());
   const Choice choice(plans);
   const std::string command = choice.command(file, options);
 

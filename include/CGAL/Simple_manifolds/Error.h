@@ -30,7 +30,7 @@ enum class Error_code {
   several_components,       ///< more than one connected component
   several_border_loops,     ///< a disk is needed, the border has several loops
   wrong_genus,              ///< the genus is not the one that the canonical surface has
-  non_manifold_vertex,      ///< the faces round a vertex form several umbrellas
+  non_manifold_vertex,      ///< the faces round a vertex form several fans
   non_manifold_edge,        ///< an edge in more than two faces
   inconsistent_orientation, ///< two faces traverse their common edge in the same direction
   doubled_edge,             ///< two different edges join the same two vertices: not a simplicial complex

@@ -47,7 +47,9 @@ inline Mesh_topology topology_of_repaired(const std::string& file, const Mesh_so
     throw Topology_error(Error_code::empty_mesh,
                          file + ": " +
                            (report.has_changes() ? "no face is left: " + report.sentence()
-                                                 : std::string("the mesh has no faces")));
+                                                 : std::string("the mesh has no faces, only ") +
+                                                     std::to_string(soup.number_of_vertices()) +
+                                                     " points: make a surface of them first"));
   return topology_of_soup(soup, opposite);
 }
 

@@ -48,8 +48,10 @@ Any_map with_canonical_surface(const Mesh_topology& topology, const Function& f)
   // A mesh with holes is refused by the surface that it would have otherwise.
   const long genus = topology.is_closed() ? topology.genus : 0;
   if (!Canonical_surfaces::visit_topology(topology.is_closed(), genus, call))
-    throw Topology_error(Error_code::wrong_genus,
-                         topology.sentence() + ": only genus 0 and 1 have a canonical surface");
+    throw Topology_error(
+      Error_code::wrong_genus,
+      topology.sentence() +
+        ": there are canonical surfaces for genus 0, the sphere, and genus 1, the torus, only");
   return std::move(*map);
 }
 

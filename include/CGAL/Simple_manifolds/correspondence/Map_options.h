@@ -42,8 +42,8 @@ enum class Effort {
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
 ///
-/// Which border loops of an open mesh are closed virtually, by a cone over each. The faces of the cones are faces of
-/// the map that `Manifold_map::is_virtual()` tells from the others; surfaces are never fitted to them.
+/// Which border loops of an open mesh are closed virtually: by a cone over each, and thin holes, which a cone would bend,
+/// by triangles between their vertices. These faces are faces of the map that `Manifold_map::is_virtual()` tells from the others; surfaces are never fitted to them.
 enum class Close_borders {
   NONE,  ///< none
   SMALL, ///< those whose cones have at most a thousandth of the area of the mesh: flaws, not openings

@@ -165,7 +165,7 @@ void require_no_pillow(const Soup& soup, const std::vector<int>& opposite)
   }
 }
 
-// The faces round each vertex form one umbrella (a half one on the border).
+// The faces round each vertex form one fan, closed or, on the border, open.
 template <class Soup>
 void require_manifold_vertices(const Soup& soup, const std::vector<int>& opposite)
 {
@@ -187,7 +187,8 @@ void require_manifold_vertices(const Soup& soup, const std::vector<int>& opposit
     if (found != valence[v])
       throw Topology_error(Error_code::non_manifold_vertex,
                            "the " + std::to_string(valence[v]) + " faces round vertex " +
-                             std::to_string(soup.names().vertex(v)) + " form several umbrellas",
+                             std::to_string(soup.names().vertex(v)) +
+                             " form several fans, which meet only there",
                            Mesh_element::vertex(soup.names().vertex(v)));
   }
 }

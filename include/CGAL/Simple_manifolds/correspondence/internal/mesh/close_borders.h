@@ -9,10 +9,18 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_CLOSE_BORDERS_H
 
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/clip_ears.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/mesh_to_triangles.h>
 #include <CGAL/Simple_manifolds/internal/bounding_cube.h>
 
+#include <CGAL/number_type_config.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -66,13 +74,54 @@ private:
   double scale_, area_ = 0;
 };
 
-// Closes border loops by cones over them: virtual vertices at the centres of the loops, after the others, and
-// virtual faces, after the others. INNER leaves the longest loop open.
+// Closes a loop where a cone would suit it badly: a thin hole, whose cone had to be star-shaped in the domain, whatever
+// its own shape. There all vertices of the loop are joined among each other.
+class Hole_triangulation {
+public:
+  Hole_triangulation(const Mesh_arrays& a, const Triangle_soup& soup, const std::vector<int>& opposite)
+    : points_(a.points), scale_(unit_scale(a.points))
+  {
+    std::vector<char> is_on_border(a.points.size(), false);
+    for (int h = 0; h < soup.number_of_half_edges(); ++h)
+      if (opposite[h] == -1) is_on_border[soup.source(h)] = true;
+    for (int h = 0; h < soup.number_of_half_edges(); ++h)
+      if (opposite[h] > h && is_on_border[soup.source(h)] && is_on_border[soup.target(h)])
+        chords_.push_back(std::minmax({soup.source(h), soup.target(h)}));
+    std::sort(chords_.begin(), chords_.end());
+  }
+
+  // loop: round the hole, which is on its left.
+  // The triangles; none for a loop that has at least half of the area of a circle of its length, or that cannot be closed
+  // without a vertex more.
+  std::vector<Triangle> operator()(const std::vector<int>& loop) const
+  {
+    if (loop.size() < 4) return {};
+    const auto point = [&](int v) -> Eigen::Vector3d { return scale_ * points_[v]; };
+    std::vector<Triangle> triangles = clip_ears(point, loop, [&](int v, int w) {
+      return std::binary_search(chords_.begin(), chords_.end(), std::pair<int, int>(std::minmax(v, w)));
+    });
+    double area = 0;
+    for (const Triangle& t : triangles)
+      area += (point(t[1]) - point(t[0])).cross(point(t[2]) - point(t[0])).norm() / 2;
+    const double length = length_of_loop(points_, loop, scale_);
+    if (area >= length * length / (8 * CGAL_PI)) return {};
+    return triangles;
+  }
+
+private:
+  const std::vector<Eigen::Vector3d>& points_;
+  double scale_;
+  std::vector<std::pair<int, int>> chords_; // inner edges between vertices of the border, sorted
+};
+
+// Closes border loops by virtual faces, after the others: cones, with virtual vertices at the centres of the loops, after
+// the others, and thin holes by triangles between their vertices. INNER leaves the longest loop open.
 inline void close_borders(Mesh_arrays& a, Close_borders which)
 {
   if (which == Close_borders::NONE || a.topology.is_closed()) return;
   const Triangle_soup soup(static_cast<int>(a.points.size()), a.triangles);
-  std::vector<std::vector<int>> loops = border_loops(soup, opposite_half_edges(soup));
+  const std::vector<int> opposite = opposite_half_edges(soup);
+  std::vector<std::vector<int>> loops = border_loops(soup, opposite);
   const double scale = unit_scale(a.points);
   if (which == Close_borders::INNER)
     loops.erase(std::max_element(loops.begin(), loops.end(), [&](const auto& l, const auto& m) {
@@ -83,15 +132,23 @@ inline void close_borders(Mesh_arrays& a, Close_borders which)
     loops.erase(std::remove_if(loops.begin(), loops.end(), [&](const auto& l) { return !is_small(l); }),
                 loops.end());
   }
-  for (const std::vector<int>& loop : loops) {
-    const int apex = static_cast<int>(a.points.size());
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      a.triangles.push_back({loop[(i + 1) % loop.size()], loop[i], apex});
-    a.points.push_back(centre_of_loop(a.points, loop));
-    a.number_of_virtual_faces += loop.size();
-    a.topology.vertices += 1;
-    a.topology.edges += loop.size();
-    a.topology.faces += loop.size();
+  const Hole_triangulation triangulation(a, soup, opposite);
+  std::vector<std::vector<Triangle>> patches; // empty: a cone
+  for (const std::vector<int>& loop : loops) patches.push_back(triangulation({loop.rbegin(), loop.rend()}));
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    const std::vector<int>& loop = loops[l];
+    std::vector<Triangle>& patch = patches[l];
+    if (patch.empty()) {
+      const int apex = static_cast<int>(a.points.size());
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        patch.push_back({loop[(i + 1) % loop.size()], loop[i], apex});
+      a.points.push_back(centre_of_loop(a.points, loop));
+      a.topology.vertices += 1;
+    }
+    a.triangles.insert(a.triangles.end(), patch.begin(), patch.end());
+    a.number_of_virtual_faces += patch.size();
+    a.topology.faces += patch.size();
+    a.topology.edges += (3 * patch.size() - loop.size()) / 2;
     a.topology.euler_characteristic += 1;
     a.topology.border_loops -= 1;
     a.topology.border_edges -= loop.size();
