@@ -4,6 +4,7 @@
 #include "parts.h"
 #include "program_tools.h"
 #include "square_corners.h"
+#include "written_distances.h"
 
 #include <CGAL/Simple_manifolds/IO/charted_components.h>
 #include <CGAL/Simple_manifolds/IO/component_surfaces_io.h>
@@ -39,6 +40,8 @@ struct Fit_request {
   long samples, controls;
   double fairness;
   SM::Marking marking;
+  SM::Fit_target target;
+  double crease_angle;
   SM::Joint_solve joint;
 };
 
@@ -55,8 +58,8 @@ Fit_request fit_request(const Command_line& options)
       throw Usage_error(std::string("--") + name + " is for --surface " + other + " only");
   };
   if (r.is_patches)
-    for (const char* name :
-         {"smoothness", "max-controls", "marking", "economy", "fairness", "correct-parameters"})
+    for (const char* name : {"smoothness", "max-controls", "marking", "economy", "fairness",
+                             "correct-parameters", "target", "crease-angle"})
       refuse(name, "hierarchical");
   else
     refuse("max-patches", "patches");
@@ -73,11 +76,19 @@ Fit_request fit_request(const Command_line& options)
   options.require(r.smoothness >= 1 && r.smoothness <= 3, "smoothness", "from 1 to 3");
   r.controls = options.get<long>("max-controls");
   r.fairness = options.get<double>("fairness");
+  const std::string target = r.is_patches ? "facets" : options.get<std::string>("target");
+  options.require(target == "facets" || target == "curved" || target == "automatic", "target",
+                  "facets, curved or automatic");
+  r.target = target == "facets"   ? SM::Fit_target::FACETS
+             : target == "curved" ? SM::Fit_target::CURVED
+                                  : SM::Fit_target::AUTOMATIC;
+  r.crease_angle = options.get<double>("crease-angle");
+  options.require(r.crease_angle >= 0 && r.crease_angle <= 180, "crease-angle", "from 0 to 180 degrees");
   const std::string marking = options.get<std::string>("marking");
   r.marking = marking == "vertices" ? SM::Marking::VERTICES : SM::Marking::ALL_POINTS;
   r.joint = options.get<bool>("economy") ? SM::Joint_solve::ALWAYS : SM::Joint_solve::AT_END;
   options.require(marking == "all" || marking == "vertices", "marking", "all or vertices");
-  options.require(r.controls >= 1000, "max-controls", "at least 1000");
+  options.require(r.controls == 0 || r.controls >= 1000, "max-controls", "at least 1000, or 0");
   options.require(r.fairness >= 0 && r.fairness <= 1e12, "fairness", "from 0 to 1e12");
   options.require(r.samples >= 0 && r.samples <= 100000000, "samples", "from 0 to 100000000");
   return r;
@@ -121,6 +132,20 @@ Json metrics_of_errors(const SM::Fit_errors& e)
           {"chart_disagreement", e.chart_disagreement}};
 }
 
+const char* name_of(SM::Fit_stop stop)
+{
+  switch (stop) {
+  case SM::Fit_stop::CONTROLS:
+    return "controls";
+  case SM::Fit_stop::STAGNATION:
+    return "stagnation";
+  case SM::Fit_stop::RESOLUTION:
+    return "resolution";
+  default:
+    return "tolerance";
+  }
+}
+
 Json metrics_of_surface(const SM::Fit_report& report)
 {
   Json metrics = metrics_of_errors(report);
@@ -128,6 +153,14 @@ Json metrics_of_surface(const SM::Fit_report& report)
   metrics["vertex_rms_error"] = report.vertex_rms_error;
   metrics["vertex_max_error"] = report.vertex_max_error;
   metrics["controls"] = report.controls;
+  metrics["stop"] = report.tolerance_reached && report.folds == 0 ? "tolerance" : name_of(report.stop);
+  metrics["worst_point"] = {report.worst_point[0], report.worst_point[1], report.worst_point[2]};
+  metrics["target_rms"] = report.target_rms;
+  metrics["target_max"] = report.target_max;
+  metrics["folds"] = report.folds;
+  metrics["fold_places"] = Json::array();
+  for (const SM::Fit_report::Fold& f : report.fold_places)
+    metrics["fold_places"].push_back({{"face", f.face}, {"point", {f.point[0], f.point[1], f.point[2]}}});
   metrics["has_more_controls_than_vertices"] = report.has_more_controls_than_vertices();
   for (const SM::Fit_report::Chart& c : report.charts) {
     Json chart = metrics_of_errors(c);
@@ -192,17 +225,22 @@ std::pair<Json, SM::Charted_mesh> write_body(Job& job, const Map& map, const Sur
                                              const std::string& folder, double least)
 {
   const auto file = [&](const char* name) { return job.folder.file(folder + name); };
-  // As many vertices as the mesh has, roughly, so that the tessellation shows what was fitted.
+  // The grid it starts from has a quarter as many vertices as the mesh, roughly; then no face is farther from the
+  // surface than half the tolerance.
   const int subdivisions = SM::Tile_grid<typename Map::Atlas>::subdivisions_for(
-    std::clamp(double(map.number_of_vertices()), least, 200000.), map.atlas());
-  metrics["parameters"]["subdivisions"] = subdivisions;
+    std::clamp(double(map.number_of_vertices()) / 4, least, 50000.), map.atlas());
+  const double chord_error = job.request.average / 2;
+  metrics["parameters"].update({{"subdivisions", subdivisions}, {"chord_error", chord_error}});
   const SM::Mesh_properties properties = SM::map_properties(map, job.input.read.properties);
   SM::Charted_mesh tessellation = job.watch.time("tessellate", [&] {
-    SM::Charted_mesh mesh = SM::charted_tessellation(
-      surface, map, SM::parameters::subdivisions(subdivisions).mesh_properties(std::cref(properties)));
+    SM::Charted_mesh mesh = SM::charted_tessellation(surface, map,
+                                                     SM::parameters::subdivisions(subdivisions)
+                                                       .chord_error(chord_error)
+                                                       .mesh_properties(std::cref(properties)));
     SM::write_ply(file("surface.ply"), mesh);
     return mesh;
   });
+  metrics["written"] = job.watch.time("distances", [&] { return written_distances(map, tessellation); });
   job.watch.time("write", [&] {
     SM::write_map(
       file("map.ply"), map,
@@ -300,6 +338,8 @@ int fit_hierarchical(Job& job, Parts maps, const Bump& bump)
                 .marking(request.marking)
                 .joint_solve(request.joint)
                 .fairness(request.fairness)
+                .fit_target(request.target)
+                .crease_angle(request.crease_angle)
                 .fit_reports(std::ref(fits.reports))
                 .visitor(std::ref(job.progress)));
     });
@@ -322,6 +362,8 @@ int fit_hierarchical(Job& job, Parts maps, const Bump& bump)
   Json parameters = parameters_of(job);
   parameters.update({{"max_controls", request.controls},
                      {"fairness", request.fairness},
+                     {"target", job.options.get<std::string>("target")},
+                     {"crease_angle", request.crease_angle},
                      {"marking", job.options.get<std::string>("marking")},
                      {"economy", job.options.get<bool>("economy")},
                      {"correct_parameters", job.options.get<bool>("correct-parameters")}});
@@ -433,7 +475,14 @@ int main(int argc, char** argv)
                 "largest error allowed, likewise (default: 10 times that)");
     options.add("degree", po::value<int>()->default_value(3), "degree of the splines, 2 to 5");
     options.add("smoothness", po::value<int>()->default_value(2), "smoothness of the blend, 1 to 3");
-    options.add("max-controls", po::value<long>()->default_value(200000), "limit of the number of controls");
+    options.add("max-controls", po::value<long>()->default_value(0),
+                "limit of the number of controls; 0: four for each vertex, from 10000 to 200000");
+    options.add(
+      "target", po::value<std::string>()->default_value("automatic"),
+      "what the errors are measured from: facets (of the mesh), curved (the smooth surface that its\n"
+      "vertices are samples of) or automatic (the same with creases)");
+    options.add("crease-angle", po::value<double>()->default_value(40),
+                "edges with a larger angle between the normals of their faces stay creases, degrees");
     options.add("marking", po::value<std::string>()->default_value("all"),
                 "what has to be within the tolerance: all (the whole mesh) or vertices (fewer controls)");
     options.add("economy", po::bool_switch(), "fewer controls for the same largest error, more time");

@@ -44,15 +44,29 @@ enum class Marking {
 
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///
+/// What the vertices of a mesh say of the surface that they lie on.
+enum class Fit_target {
+  FACETS,   ///< nothing: the mesh is a polyhedron, and the surface has to follow its facets and edges
+  CURVED,   ///< they are samples of a surface that is smooth everywhere
+  AUTOMATIC ///< the same but for creases, see `Fit_options::crease_angle`; flat parts stay flat
+};
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
 /// What a fit aims at.
 struct Fit_options {
-  double rms_error = 2e-3;           ///< tolerance of the root mean square, fraction of the diagonal
-  double max_error = 2e-2;           ///< tolerance of the maximum, fraction of the diagonal
-  int spline_degree = 3;             ///< 2 to 5
-  std::size_t max_controls = 200000; ///< limit of the controls of all charts together
+  double rms_error = 2e-3; ///< tolerance of the root mean square, fraction of the diagonal
+  double max_error = 2e-2; ///< tolerance of the maximum, fraction of the diagonal
+  int spline_degree = 3;   ///< 2 to 5
+  /// Limit of the controls of all charts together; 0: four for each vertex of the mesh, from 10,000 to 200,000.
+  std::size_t max_controls = 0;
   Refinement refinement = Refinement::ADAPTIVE;  ///< where controls are added
   Joint_solve joint_solve = Joint_solve::AT_END; ///< when charts are fitted together
   Marking marking = Marking::ALL_POINTS;         ///< what is brought within the tolerance
+  Fit_target target = Fit_target::AUTOMATIC;     ///< what the errors are measured from
+  /// Edges with a larger angle between the normals of their faces are creases, degrees in [0,180]; edges where a
+  /// large face meets a row of narrow ones are, from a tenth of it. Only for `Fit_target::AUTOMATIC`.
+  double crease_angle = 40;
   /// Weight of the thin plate energy, the integral of |E_c''|^2 over the charts; that of the mean squared
   /// error is 1. For noisy meshes; 0 is best for others.
   double fairness = 0;

@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_FIT_REPORT_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_FIT_REPORT_H
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <vector>
 
@@ -34,6 +36,16 @@ struct Fit_errors {
 
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///
+/// Why a fit ended.
+enum class Fit_stop {
+  TOLERANCE, ///< it is within the tolerances, without folds
+  CONTROLS,  ///< more controls than `Fit_options::max_controls` would be needed
+  STAGNATION, ///< more controls did not make it better: errors and folds are where the mesh does not suit the fit
+  RESOLUTION ///< the cells in question are as small as cells can be
+};
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
 /// How well a surface was fitted, and at what cost.
 struct Fit_report : Fit_errors {
   /// One chart.
@@ -47,6 +59,12 @@ struct Fit_report : Fit_errors {
     std::size_t controls; ///< of all charts
     double rms_error,     ///< root mean square
       max_error;          ///< largest
+  };
+
+  /// Where the surface turns over: by more than 120 degrees from one face to the next, against the target.
+  struct Fold {
+    int face;              ///< of the map
+    Eigen::Vector3d point; ///< the centre of the face
   };
 
   /// Wall clock seconds.
@@ -66,19 +84,30 @@ struct Fit_report : Fit_errors {
     std::size_t equations = 0; ///< the normal equations and their factor
   };
 
+  /// So many `fold_places` are kept.
+  static constexpr std::size_t max_fold_places = 16;
+
   /// Whether `rms_error` and `max_error` are within the tolerances; with `Marking::VERTICES` those of the
   /// vertices.
   bool tolerance_reached = false;
-  double rms_tolerance = 0;    ///< the tolerance of `rms_error`
-  double max_tolerance = 0;    ///< the tolerance of `max_error`
-  double vertex_rms_error = 0; ///< of the vertices alone
-  double vertex_max_error = 0; ///< of the vertices alone
-  std::size_t controls = 0;    ///< coefficients of all charts together, each is a point of space
-  std::size_t vertices = 0;    ///< of the mesh, for comparison
-  std::vector<Chart> charts;   ///< each chart
-  std::vector<Level> levels;   ///< one per measurement
-  Seconds seconds;             ///< what took how long
-  Bytes bytes;                 ///< what took how much
+  Fit_stop stop = Fit_stop::TOLERANCE; ///< why no more controls were added
+  Eigen::Vector3d worst_point =
+    Eigen::Vector3d::Zero(); ///< the point of the mesh where the error is `max_error`
+  double target_rms =
+    0; ///< how far the target is from the facets, root mean square, fraction of the diagonal
+  double target_max = 0; ///< the largest such distance
+  std::size_t folds = 0; ///< the number of faces over which the surface turns over
+  std::vector<Fold> fold_places; ///< the first of them
+  double rms_tolerance = 0;      ///< the tolerance of `rms_error`
+  double max_tolerance = 0;      ///< the tolerance of `max_error`
+  double vertex_rms_error = 0;   ///< of the vertices alone
+  double vertex_max_error = 0;   ///< of the vertices alone
+  std::size_t controls = 0;      ///< coefficients of all charts together, each is a point of space
+  std::size_t vertices = 0;      ///< of the mesh, for comparison
+  std::vector<Chart> charts;     ///< each chart
+  std::vector<Level> levels;     ///< one per measurement
+  Seconds seconds;               ///< what took how long
+  Bytes bytes;                   ///< what took how much
 
   /// Whether the surface has more controls than the mesh has vertices: it then reproduces the facets
   /// of the mesh, at a cost that the mesh does not have.

@@ -65,15 +65,17 @@ public:
 
   /// The map must outlive the fitter.
   /// \pre the tolerances and the fairness are not negative, the fairness is at most 1e12; the degree is in 2..5;
-  ///   `max_controls` allows for the coarsest space: `number_of_charts * (4 + spline_degree)^2`; there are no
+  ///   `max_controls` is 0 or allows for the coarsest space: `number_of_charts * (4 + spline_degree)^2`; there are no
   ///   `vertex_weights` or as many as vertices, finite and not negative
   Surface_fitter(const Map& map, const Fit_options& options = Fit_options(), const Bump& bump = Bump())
     : fit_(map, options, bump, internal::is_parallel<ConcurrencyTag>())
   {
     CGAL_precondition(options.rms_error >= 0 && options.max_error >= 0);
     CGAL_precondition(options.fairness >= 0 && options.fairness <= 1e12);
+    CGAL_precondition(options.crease_angle >= 0 && options.crease_angle <= 180);
     CGAL_precondition(options.spline_degree >= 2 && options.spline_degree <= 5);
-    CGAL_precondition(options.max_controls >= std::size_t(map.atlas().number_of_charts()) *
+    CGAL_precondition(options.max_controls == 0 ||
+                      options.max_controls >= std::size_t(map.atlas().number_of_charts()) *
                                                 (4 + options.spline_degree) * (4 + options.spline_degree));
     CGAL_precondition(options.vertex_weights.empty() ||
                       options.vertex_weights.size() == map.number_of_vertices());

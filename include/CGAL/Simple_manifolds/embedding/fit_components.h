@@ -29,6 +29,7 @@
 
 #define CGAL_SIMPLE_MANIFOLDS_FIT_COMPONENTS_PARAMETERS                                                      \
   "rms_error, max_error, spline_degree, bump, max_controls, refinement, joint_solve, marking, fairness, "    \
+  "fit_target, crease_angle, "                                                                               \
   "fit_reports"
 
 namespace CGAL {

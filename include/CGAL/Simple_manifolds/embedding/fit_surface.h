@@ -26,7 +26,7 @@
 
 #define CGAL_SIMPLE_MANIFOLDS_FIT_PARAMETERS                                                                 \
   "rms_error, max_error, spline_degree, bump, max_controls, refinement, joint_solve, marking, fairness, "    \
-  "vertex_weights, fit_report"
+  "vertex_weights, fit_target, crease_angle, fit_report"
 
 namespace CGAL {
 namespace Simple_manifolds {
@@ -59,6 +59,8 @@ auto fit_surface(const Map& map, const NamedParameters& np)
   read(options.joint_solve, internal_np::joint_solve);
   read(options.marking, internal_np::marking);
   read(options.fairness, internal_np::fairness);
+  read(options.target, internal_np::fit_target);
+  read(options.crease_angle, internal_np::crease_angle);
   const std::vector<double> no_weights;
   const auto& weights = parameter(np, internal_np::vertex_weights, no_weights);
   options.vertex_weights = std::vector<double>(std::begin(weights), std::end(weights));
@@ -103,7 +105,7 @@ auto fit_surface(const Map& map, const NamedParameters& np)
 ///     blend} \cgalParamType{model of `BumpFunction`} \cgalParamDefault{`Smoothstep_bump<2>`} \cgalParamNEnd
 ///   \cgalParamNBegin{max_controls} \cgalParamDescription{limit of the controls of all charts together}
 ///     \cgalParamType{`std::size_t`, at least `number_of_charts * (4 + spline_degree)^2`}
-///     \cgalParamDefault{200000} \cgalParamNEnd
+///     \cgalParamDefault{four for each vertex, from 10,000 to 200,000} \cgalParamNEnd
 ///   \cgalParamNBegin{refinement} \cgalParamDescription{where controls are added}
 ///     \cgalParamType{`Refinement`} \cgalParamDefault{`Refinement::ADAPTIVE`} \cgalParamNEnd
 ///   \cgalParamNBegin{joint_solve} \cgalParamDescription{when the charts are fitted together}
@@ -115,6 +117,11 @@ auto fit_surface(const Map& map, const NamedParameters& np)
 ///   \cgalParamNBegin{vertex_weights} \cgalParamDescription{weights of the vertices, relative to one
 ///     another} \cgalParamType{range of `double`, finite and not negative, one per vertex of the map}
 ///     \cgalParamDefault{all equal} \cgalParamNEnd
+///   \cgalParamNBegin{fit_target} \cgalParamDescription{what the mesh says of its surface; all errors refer to
+///     this target} \cgalParamType{`Fit_target`} \cgalParamDefault{`Fit_target::AUTOMATIC`} \cgalParamNEnd
+///   \cgalParamNBegin{crease_angle} \cgalParamDescription{the angle between the normals of faces above which
+///     their edge is a crease of an automatic target} \cgalParamType{`double` in [0,180], degrees}
+///     \cgalParamDefault{40} \cgalParamNEnd
 ///   \cgalParamNBegin{fit_report} \cgalParamDescription{receives errors, counts and times}
 ///     \cgalParamType{`Fit_report`, by `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd
 ///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel} \cgalParamType{model of

@@ -13,6 +13,7 @@
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/embedding/closest_point.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_fit.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Measuring_points.h>
 #include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
 
@@ -23,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -39,8 +41,8 @@ public:
   using Partition = Partition_of_unity<Atlas, Bump>;
 
   /// \param only_vertices  whether the bound for marking is that of the vertices
-  Error_measurement(const Map& map, const Partition& partition, bool only_vertices)
-    : map_(map), partition_(partition), only_vertices_(only_vertices)
+  Error_measurement(const Map& map, const Target<Map>& target, const Partition& partition, bool only_vertices)
+    : map_(map), target_(target), points_(map, target), partition_(partition), only_vertices_(only_vertices)
   {
   }
 
@@ -48,10 +50,14 @@ public:
   template <class Fit>
   void measure(bool is_parallel, const Fit& fit, Fit_report& report)
   {
-    errors_.assign(number_of_points(), -1); // of points that are not there
+    points_.find_targets(is_parallel);
+    errors_.assign(points_.size(), -1); // of points that are not there
+    std::vector<Eigen::Vector3d> normals(map_.number_of_faces(), Eigen::Vector3d::Zero()); // of the fit
     std::vector<Sums> sums(number_of_pieces(), Sums(number_of_charts()));
     parallel_tasks(is_parallel, number_of_pieces(), [&](int piece) {
-      for_each_point(piece, [&](std::size_t k, const Domain_point& p, const Eigen::Vector3d& x, int) {
+      std::array<Eigen::Vector3d, 3> corners;
+      int count = 0;
+      points_.for_each(piece, [&](std::size_t k, const Domain_point& p, const Eigen::Vector3d& x, int face) {
         Eigen::Vector3d e = -x;
         Sum& sum = sums[piece][partition_.atlas().tile(p)];
         for (const auto& w : partition_.weights(p)) {
@@ -62,8 +68,15 @@ public:
         }
         errors_[k] = e.norm() / map_.diagonal();
         sum.add(errors_[k]);
+        if (face < 0) return;
+        corners[count++] = x + e;
+        if (count == 3) {
+          normals[face] = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+          count = 0;
+        }
       });
     });
+    find_folds(is_parallel, normals);
     Sums total(number_of_charts());
     for (const Sums& s : sums)
       for (std::size_t c = 0; c < total.size(); ++c) total[c] += s[c];
@@ -86,6 +99,7 @@ public:
     set(vertices, report.vertex_rms_error, report.vertex_max_error);
     report.vertices = vertices.count;
     report.levels.push_back({report.controls, report.rms_error, report.max_error});
+    report.folds = std::size_t(std::count(is_folded_.begin(), is_folded_.end(), 1));
     rms_ = only_vertices_ ? report.vertex_rms_error : report.rms_error;
     max_ = only_vertices_ ? report.vertex_max_error : report.max_error;
   }
@@ -95,6 +109,8 @@ public:
   {
     return rms_ <= rms_tolerance && max_ <= max_tolerance;
   }
+  double rms() const { return rms_; }
+  double maximum() const { return max_; }
 
   /// Above which error the surface has to be refined: a large part of the maximum, as long as that is too
   /// large; then so low that the points above it have the share of the sum of squares that has to go, so
@@ -113,22 +129,33 @@ public:
     return sorted[k];
   }
 
-  /// Adds the cells of the points whose error is above the limit, a fraction of the diagonal.
+  /// Adds the cells of the points whose error is above the limit, a fraction of the diagonal, and of folded faces.
+  /// \param only_folds  whether the errors are passed over, as vertices are samples
   template <class Fit>
-  void add_marks(const Fit& fit, double limit, std::vector<Mark>& marks) const
+  void add_marks(const Fit& fit, double limit, bool only_folds, std::vector<Mark>& marks) const
   {
     std::vector<Fit_samples::View> views;
+    const std::size_t n = map_.number_of_vertices();
+    const auto is_folded = [&](std::size_t k) { return k >= n && is_folded_[(k - n) / 3]; };
     for (int piece = 0; piece < number_of_pieces(); ++piece)
-      for_each_point(
+      points_.for_each(
         piece,
         [&](std::size_t k, const Domain_point& p, const Eigen::Vector3d&, int) {
           views.clear();
           for (const auto& w : partition_.weights(p))
             views.push_back({w.point.chart, -1, w.point.uv, w.weight});
-          fit.mark_jointly(views.data(), views.data() + views.size(), errors_[k] * map_.diagonal(),
+          const double error = is_folded(k) ? (std::max)(errors_[k], 1.01 * limit) : errors_[k];
+          fit.mark_jointly(views.data(), views.data() + views.size(), error * map_.diagonal(),
                            limit * map_.diagonal(), marks);
         },
-        limit);
+        [&](std::size_t k) { return (errors_[k] > limit && !only_folds) || is_folded(k); });
+  }
+
+  /// How far the target is from the facets, root mean square and largest, fractions of the diagonal.
+  std::pair<double, double> distances_of_target() const
+  {
+    const auto [rms, largest] = points_.distances_of_target();
+    return {rms / map_.diagonal(), largest / map_.diagonal()};
   }
 
   /// Measures closest point distances, and the angles between normals inside of faces.
@@ -143,16 +170,16 @@ public:
       const int count = (std::min)(batch, number_of_pieces() - first);
       std::vector<Sums> distances(count, Sums(number_of_charts())), angles = distances;
       parallel_tasks(is_parallel, count, [&](int piece) {
-        for_each_point(first + piece,
-                       [&](std::size_t, const Domain_point& p, const Eigen::Vector3d& x, int face) {
-                         const int c = partition_.atlas().tile(p);
-                         distances[piece][c].add(closest_point_distance(surface, p, x) / map_.diagonal());
-                         if (face < 0) return;
-                         const Eigen::Vector3d n = face_normal(face), m = surface.normal(p);
-                         const double a = std::atan2(n.cross(m).norm(), n.dot(m));
-                         if (a == a) // a face without area has no normal
-                           angles[piece][c].add(a);
-                       });
+        points_.for_each(first + piece,
+                         [&](std::size_t, const Domain_point& p, const Eigen::Vector3d& x, int face) {
+                           const int c = partition_.atlas().tile(p);
+                           distances[piece][c].add(closest_point_distance(surface, p, x) / map_.diagonal());
+                           if (face < 0) return;
+                           const Eigen::Vector3d n = points_.normal(face), m = surface.normal(p);
+                           const double a = std::atan2(n.cross(m).norm(), n.dot(m));
+                           if (a == a) // a face without area has no normal
+                             angles[piece][c].add(a);
+                         });
       });
       for (int piece = 0; piece < count; ++piece)
         for (std::size_t c = 0; c < distance.size(); ++c) {
@@ -170,6 +197,7 @@ public:
     }
     set(all, report.closest_point_rms, report.closest_point_max);
     set(all_angles, report.normal_deviation, unused);
+    find_places(report);
   }
 
 private:
@@ -205,50 +233,47 @@ private:
     return s.views > 0 ? std::sqrt(s.disagreement / double(s.views)) / map_.diagonal() : 0;
   }
 
-  Eigen::Vector3d face_normal(int f) const
-  {
-    std::array<Eigen::Vector3d, 3> x;
-    for (int k = 0; k < 3; ++k) {
-      typename Map::Location corner;
-      corner.face = f;
-      corner.barycentric = Eigen::Vector3d::Unit(k);
-      x[k] = map_.position(corner);
-    }
-    return (x[1] - x[0]).cross(x[2] - x[0]);
-  }
-
-  static constexpr std::size_t piece_size = 1024;
-
-  int number_of_charts() const { return partition_.atlas().number_of_charts(); }
-  std::size_t number_of_points() const { return map_.number_of_vertices() + 3 * map_.number_of_faces(); }
-  int number_of_pieces() const { return int((number_of_points() + piece_size - 1) / piece_size); }
-
-  // Calls f(index, domain point, point of the mesh, face or -1) for the points of a piece whose
-  // last measured error is above the limit.
-  template <class F>
-  void for_each_point(int piece, const F& f, double limit = -2) const
+  // Where the error is largest, and where the surface is folded.
+  void find_places(Fit_report& report) const
   {
     const std::size_t n = map_.number_of_vertices();
-    const std::size_t last = (std::min)((piece + 1) * piece_size, number_of_points());
-    for (std::size_t k = piece * piece_size; k < last; ++k) {
-      if (errors_[k] <= limit) continue;
-      if (k < n) {
-        if (!map_.is_virtual_vertex(k)) f(k, map_.domain_point(k), map_.point(k), -1);
-        continue;
+    const std::size_t worst = std::max_element(errors_.begin(), errors_.end()) - errors_.begin();
+    report.folds = 0;
+    report.fold_places.clear();
+    for (std::size_t f = 0; f < is_folded_.size(); ++f)
+      if (is_folded_[f] && ++report.folds <= Fit_report::max_fold_places)
+        report.fold_places.push_back({int(f), points_.flat(int(f))});
+    report.worst_point = worst < n ? map_.point(worst) : points_.flat(int((worst - n) / 3));
+  }
+
+  int number_of_charts() const { return partition_.atlas().number_of_charts(); }
+  int number_of_pieces() const { return points_.number_of_pieces(); }
+
+  // Marks faces where the surface turns over: by more than 120 degrees from one face to the next, while the target
+  // turns by less than 90. That it goes straight where the target has an overhang below the tolerance is no fault.
+  void find_folds(bool is_parallel, const std::vector<Eigen::Vector3d>& normals)
+  {
+    is_folded_.assign(map_.number_of_faces(), 0);
+    parallel_for(is_parallel, 0, int(normals.size()), [&](int first, int last) {
+      for (int f = first; f < last; ++f) {
+        const Eigen::Vector3d n = points_.normal(f);
+        if (!(normals[f].dot(n) < 0)) continue; // the other one of the two faces, then
+        points_.for_each_neighbour(f, [&](int g) {
+          const Eigen::Vector3d m = points_.normal(g);
+          if (normals[f].dot(normals[g]) < -0.5 * normals[f].norm() * normals[g].norm() && n.dot(m) > 0)
+            is_folded_[f] = 1;
+        });
       }
-      typename Map::Location location;
-      location.face = int((k - n) / 3);
-      if (map_.is_virtual(location.face)) continue;
-      location.barycentric.setConstant(1. / 6);
-      location.barycentric[(k - n) % 3] = 2. / 3;
-      f(k, map_.to_domain(location), map_.position(location), location.face);
-    }
+    });
   }
 
   const Map& map_;
+  const Target<Map>& target_;
+  Measuring_points<Map> points_;
   const Partition& partition_;
   bool only_vertices_;
-  std::vector<double> errors_; // fractions of the diagonal
+  std::vector<double> errors_;  // fractions of the diagonal
+  std::vector<char> is_folded_; // per face
   double rms_ = 0, max_ = 0;
 };
 

@@ -11,6 +11,7 @@
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Partition_of_unity.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Cell_tree.h>
+#include <CGAL/Simple_manifolds/embedding/internal/target/Target.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
 
 #include <Eigen/Core>
@@ -113,7 +114,10 @@ public:
     int side; ///< cells per side of its level
   };
 
-  Surface_sampler(const Map& map, const Partition& partition) : map_(map), partition_(partition) {}
+  Surface_sampler(const Map& map, const Target<Map>& target, const Partition& partition)
+    : map_(map), target_(target), partition_(partition)
+  {
+  }
 
   /// All vertices but those that only close borders; `weights` is empty or has one weight per vertex.
   Fit_samples vertices(const std::vector<double>& weights) const
@@ -121,7 +125,7 @@ public:
     Fit_samples samples;
     for (std::size_t v = 0; v < map_.number_of_vertices(); ++v)
       if (!map_.is_virtual_vertex(v))
-        samples.add(map_.point(v), v < weights.size() ? weights[v] : 1., 0, -1,
+        samples.add(target_.at_vertex(v), v < weights.size() ? weights[v] : 1., 0, -1,
                     partition_.weights(map_.domain_point(v)));
     return samples;
   }
@@ -155,8 +159,8 @@ private:
       p[k] = map_.atlas().point(Chart_point{at.chart, uv});
       const typename Map::Location location = map_.to_mesh(p[k], face);
       face = location.face;
-      x[k] = map_.position(location);
       is_virtual[k] = map_.is_virtual(face);
+      x[k] = is_virtual[k] ? map_.position(location) : target_(location, p[k]);
     }
     for (int k = 0; k < 9; ++k) {
       if (is_virtual[k]) // nothing is known of the surface where a border was closed
@@ -171,6 +175,7 @@ private:
   }
 
   const Map& map_;
+  const Target<Map>& target_;
   const Partition& partition_;
 };
 

@@ -51,6 +51,8 @@ public:
   Hierarchical_fit(int degree, int charts, const Eigen::Vector3d& centre, double fairness, bool is_parallel);
 
   const std::vector<Chart_spline>& splines() const { return splines_; }
+  /// Goes back to splines that it had, to be measured; not to be refined again.
+  void restore(std::vector<Chart_spline> splines) { splines_ = std::move(splines); }
   const Fit_samples& samples() const { return samples_; }
 
   std::size_t controls() const
@@ -109,6 +111,9 @@ public:
   /// Splits the marked leaves, the worst first as far as the limit allows.
   /// \return the charts that changed
   std::vector<int> refine(std::vector<Mark> marks, std::size_t largest_controls);
+
+  /// Whether the last `refine()` left out marks because of this limit.
+  bool is_full(std::size_t largest_controls) const { return largest_controls <= exhausted_; }
 
   /// E_c at a point of chart c.
   Eigen::Vector3d point(int c, const Eigen::Vector2d& uv) const;

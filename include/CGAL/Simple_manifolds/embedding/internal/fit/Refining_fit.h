@@ -15,6 +15,7 @@
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Error_measurement.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_progress.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_fit.h>
 #include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
@@ -27,6 +28,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -43,8 +46,9 @@ public:
   using Surface = Manifold_surface<Atlas, Hierarchical_embedding, Bump>;
 
   Refining_fit(const Map& map, const Fit_options& options, const Bump& bump, bool is_parallel)
-    : map_(map), options_(options), is_parallel_(is_parallel), partition_(bump, map.atlas()),
-      sampler_(map, partition_), errors_(map, partition_, options.marking == Marking::VERTICES)
+    : map_(map), options_(options), is_parallel_(is_parallel), target_(map, options, is_parallel),
+      partition_(bump, map.atlas()), sampler_(map, target_, partition_),
+      errors_(map, target_, partition_, options.marking == Marking::VERTICES)
   {
   }
   Refining_fit(const Refining_fit&) = delete;
@@ -116,6 +120,8 @@ private:
   {
     timed(report_.seconds.measuring, [&] { errors_.measure(is_parallel_, fit, report_); });
     report_.tolerance_reached = errors_.meets(options_.rms_error, options_.max_error);
+    progress_.add(errors_.rms() / (std::max)(options_.rms_error, 1e-300),
+                  errors_.maximum() / (std::max)(options_.max_error, 1e-300), report_.folds, fit.splines());
     show_progress(report_.max_error * map_.diagonal(), visitor);
   }
 
@@ -158,24 +164,49 @@ private:
           if (tree.is_leaf(node)) marks.push_back({c, tree.cell(node), tree.cell(node), 0});
       }
       std::vector<int> changed;
-      if (report_.tolerance_reached || controls > options_.max_controls ||
-          !refine(fit, std::move(marks), changed, options_.max_controls))
-        return;
+      if (is_done()) return;
+      if (controls > max_controls() || !refine(fit, std::move(marks), changed, max_controls()))
+        return stop(controls > max_controls() ? Fit_stop::CONTROLS : Fit_stop::RESOLUTION);
     }
   }
 
   void refine_where_needed(Fit& fit, const Visitor_reference& visitor)
   {
-    if (options_.joint_solve != Joint_solve::ALWAYS || has_single_chart) refine_alone(fit, visitor);
-    std::vector<int> changed;
-    if (has_single_chart || options_.joint_solve == Joint_solve::NEVER) {
+    // with an energy, a chart alone need not come near the mesh
+    const bool from_the_start = options_.joint_solve == Joint_solve::ALWAYS ||
+                                (options_.fairness > 0 && options_.joint_solve == Joint_solve::AT_END);
+    if (!from_the_start || has_single_chart) refine_alone(fit, visitor);
+    const bool alone = has_single_chart || options_.joint_solve == Joint_solve::NEVER;
+    if (alone)
       measure(fit, visitor);
-      while (!report_.tolerance_reached && refine(fit, joint_marks(fit), changed, options_.max_controls))
+    else
+      solve_jointly(fit, visitor);
+    std::vector<int> changed;
+    while (!is_done()) {
+      if (!refine(fit, joint_marks(fit), changed, max_controls()))
+        return stop(fit.is_full(max_controls()) ? Fit_stop::CONTROLS : Fit_stop::RESOLUTION);
+      if (alone)
         solve_alone(fit, changed, visitor);
-      return;
+      else
+        solve_jointly(fit, visitor);
     }
-    do solve_jointly(fit, visitor);
-    while (!report_.tolerance_reached && refine(fit, joint_marks(fit), changed, options_.max_controls));
+  }
+
+  std::size_t max_controls() const
+  {
+    return options_.max_controls > 0 ? options_.max_controls
+                                     : std::clamp<std::size_t>(4 * map_.number_of_vertices(), 10000, 200000);
+  }
+
+  void stop(Fit_stop reason) { report_.stop = reason; }
+
+  // Whether the last measurement is a reason to end.
+  bool is_done()
+  {
+    if (report_.tolerance_reached && report_.folds == 0) return true;
+    const bool is_stuck = progress_.is_stuck();
+    if (is_stuck) stop(Fit_stop::STAGNATION);
+    return is_stuck;
   }
 
   // Until every chart is within the bound where it counts.
@@ -185,14 +216,21 @@ private:
     std::vector<Mark> marks;
     const bool is_last = has_single_chart || options_.joint_solve == Joint_solve::NEVER;
     // the rest is placed by what the charts err together
-    const std::size_t limit = is_last ? options_.max_controls : options_.max_controls / 2;
+    const std::size_t limit = is_last ? max_controls() : max_controls() / 2;
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t enough =
+      0; // so many controls without a smaller error: then the charts together may do better
     do {
       timed(report_.seconds.solving_alone, [&] { fit.solve_alone(changed); });
       marks = fit.marks_alone(changed, bound(), bulk(), only_vertices());
       double largest = bound();
       for (const Mark& m : marks) largest = (std::max)(largest, m.error);
       show_progress(largest, visitor);
-    } while (refine(fit, std::move(marks), changed, limit));
+      if (largest < 0.9 * least) {
+        least = largest;
+        enough = 2 * fit.controls();
+      }
+    } while (fit.controls() < enough && refine(fit, std::move(marks), changed, limit));
   }
 
   // Where the surface errs too much; if only the root mean square is too large, where it errs most.
@@ -200,10 +238,16 @@ private:
   {
     std::vector<Mark> marks;
     timed(report_.seconds.measuring, [&] {
-      const double limit = errors_.bound(options_.rms_error, options_.max_error, bulk());
-      marks = fit.marks_jointly(limit * map_.diagonal(), only_vertices());
-      if (!only_vertices()) // the vertices are samples
-        errors_.add_marks(fit, limit, marks);
+      const bool is_only_folded = report_.tolerance_reached; // then nothing is above the limit but folds
+      const double limit =
+        is_only_folded ? errors_.maximum()
+                       : errors_.bound(options_.rms_error,
+                                       progress_.is_maximum_stuck() && errors_.rms() > options_.rms_error
+                                         ? errors_.maximum()
+                                         : options_.max_error,
+                                       bulk());
+      if (!is_only_folded) marks = fit.marks_jointly(limit * map_.diagonal(), only_vertices());
+      errors_.add_marks(fit, limit, only_vertices(), marks);
     });
     return marks;
   }
@@ -229,10 +273,12 @@ private:
   const Map& map_;
   Fit_options options_;
   bool is_parallel_;
+  Target<Map> target_;
   Partition_of_unity<Atlas, Bump> partition_;
   Sampler sampler_;
   Error_measurement<Map, Bump> errors_;
   Fit_report report_;
+  Fit_progress progress_;
   int rounds_ = 0;  // of refinement
   double done_ = 0; // share of the running phase
 };
@@ -243,6 +289,7 @@ typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Vis
   require_extent(map_);
   const Clock::time_point start = Clock::now();
   report_ = Fit_report();
+  progress_ = Fit_progress();
   report_.rms_tolerance = options_.rms_error;
   report_.max_tolerance = options_.max_error;
   visitor.start_phase("fit");
@@ -255,6 +302,11 @@ typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Vis
     refine_everywhere(fit, visitor);
   else
     refine_where_needed(fit, visitor);
+  if (progress_.has_better()) {
+    fit.restore(progress_.take_best());
+    measure(fit, visitor);
+  }
+  std::tie(report_.target_rms, report_.target_max) = errors_.distances_of_target();
   visitor.end_phase();
 
   visitor.start_phase("measure");

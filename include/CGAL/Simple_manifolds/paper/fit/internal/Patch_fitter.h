@@ -88,7 +88,8 @@ public:
     report.tolerance_reached = std::all_of(report.charts.begin(), report.charts.end(),
                                            [](const auto& chart) { return chart.tolerance_reached; });
     report.surface.tolerance_reached = report.tolerance_reached;
-    Error_measurement<Map, Bump> errors(map_, partition_, false);
+    const Target<Map> facets(map_);
+    Error_measurement<Map, Bump> errors(map_, facets, partition_, false);
     timed(seconds.measuring, [&] { errors.measure(is_parallel<ConcurrencyTag>(), stacks, report.surface); });
     Surface surface(std::move(stacks.charts), partition_.bump(), map_.atlas());
     timed(seconds.closest_point, [&] {

@@ -1,0 +1,51 @@
+#include "written_distances.h"
+
+#include <CGAL/Simple_manifolds/tessellation/distance_to_mesh.h>
+
+#include <cstddef>
+
+namespace tools {
+
+namespace {
+
+Eigen::Vector3d centre(const std::vector<Eigen::Vector3d>& points, const SM::Triangle& t)
+{
+  return (points[t[0]] + points[t[1]] + points[t[2]]) / 3;
+}
+
+Json fractions(const SM::Mesh_distance& d, double diagonal)
+{
+  return {{"rms", d.rms / diagonal},
+          {"max", d.max / diagonal},
+          {"worst_point", {d.worst_point[0], d.worst_point[1], d.worst_point[2]}}};
+}
+
+} // namespace
+
+Json written_distances(const std::vector<Eigen::Vector3d>& points, const std::vector<SM::Triangle>& faces,
+                       const SM::Charted_mesh& tessellation, const std::vector<char>& is_mesh,
+                       double diagonal)
+{
+  std::vector<Eigen::Vector3d> of_mesh, of_surface;
+  std::vector<char> is_used(points.size(), 0);
+  for (const SM::Triangle& t : faces) {
+    for (const int v : t) is_used[v] = 1;
+    of_mesh.push_back(centre(points, t));
+  }
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (is_used[v]) of_mesh.push_back(points[v]);
+  for (const SM::Triangle& t : tessellation.triangles)
+    if (is_mesh[t[0]] && is_mesh[t[1]] && is_mesh[t[2]]) of_surface.push_back(centre(tessellation.points, t));
+  for (std::size_t v = 0; v < tessellation.points.size(); ++v)
+    if (is_mesh[v]) of_surface.push_back(tessellation.points[v]);
+  using Tag = CGAL::Parallel_if_available_tag;
+  // borders of the mesh are nowhere in the surface but next to what closes them
+  const SM::Mesh_distance forward =
+    SM::distance_to_mesh<Tag>(of_mesh, tessellation.points, tessellation.triangles);
+  const SM::Mesh_distance backward = SM::distance_to_mesh<Tag>(of_surface, points, faces);
+  return {{"faces", tessellation.triangles.size()},
+          {"mesh_to_surface", fractions(forward, diagonal)},
+          {"surface_to_mesh", fractions(backward, diagonal)}};
+}
+
+} // namespace tools
