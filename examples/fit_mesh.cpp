@@ -146,6 +146,16 @@ const char* name_of(SM::Fit_stop stop)
   }
 }
 
+// Why it is no better, and where it is worst.
+std::string reason(const SM::Fit_report& report)
+{
+  const Eigen::Vector3d& x = report.worst_point;
+  const std::string what = report.stop == SM::Fit_stop::CONTROLS     ? ", their limit"
+                           : report.stop == SM::Fit_stop::STAGNATION ? ", and more did not help"
+                                                                     : ", with the smallest cells";
+  return what + "; the largest error is near (" + shown(x[0]) + ", " + shown(x[1]) + ", " + shown(x[2]) + ")";
+}
+
 Json metrics_of_surface(const SM::Fit_report& report)
 {
   Json metrics = metrics_of_errors(report);
@@ -217,6 +227,28 @@ struct Fits {
   std::vector<std::string> errors;
 };
 
+// Whether what is written keeps what the errors of the fit promise: these are measured from the target, and vertices
+// alone or the paper's weighted errors promise nothing of the rest.
+bool is_within_tolerance(const Fit_request& request, const SM::Fit_report& report, const Json& written,
+                         double chord_error)
+{
+  if (request.is_patches || request.marking == SM::Marking::VERTICES) return true;
+  for (const char* way : {"mesh_to_surface", "surface_to_mesh"})
+    if (written[way]["max"] > request.maximum + report.target_max + chord_error) return false;
+  return written["mesh_to_surface"]["rms"] <= request.average + report.target_rms + chord_error;
+}
+
+std::string folds_sentence(const SM::Fit_report& report)
+{
+  std::string text = "the surface turns over at " + std::to_string(report.folds) +
+                     (report.folds == 1 ? " face" : " faces") + " of the mesh, near";
+  for (std::size_t k = 0; k < report.fold_places.size() && k < 3; ++k) {
+    const Eigen::Vector3d& x = report.fold_places[k].point;
+    text += (k == 0 ? " (" : ", (") + shown(x[0]) + ", " + shown(x[1]) + ", " + shown(x[2]) + ")";
+  }
+  return text + (report.folds > 3 ? ", ..." : "");
+}
+
 // Writes the files of a body, those of several each in its folder. `least` is the number of vertices that the
 // tessellation has at least, roughly. Returns the metrics and the tessellation.
 template <class Map, class Surface>
@@ -241,6 +273,8 @@ std::pair<Json, SM::Charted_mesh> write_body(Job& job, const Map& map, const Sur
     return mesh;
   });
   metrics["written"] = job.watch.time("distances", [&] { return written_distances(map, tessellation); });
+  metrics["written"]["within_tolerance"] =
+    is_within_tolerance(job.request, report, metrics["written"], chord_error);
   job.watch.time("write", [&] {
     SM::write_map(
       file("map.ply"), map,
@@ -267,6 +301,7 @@ int write(Job& job, const Parts& maps, Fits<AnySurface> fits, const Json& parame
   const double least =
     (std::max)(6000. / double(maps.size()), 600.); // so that of hundreds of bodies it is not huge
   std::vector<Json> metrics(maps.size());
+  std::vector<char> written_is_within_tolerance(maps.size(), 1);
   std::vector<SM::Charted_mesh> tessellations;
   std::vector<std::string> names;
   for_each_part(fits.surfaces, [&](const auto& part, std::size_t k) {
@@ -281,6 +316,7 @@ int write(Job& job, const Parts& maps, Fits<AnySurface> fits, const Json& parame
       own["parameters"] = parameters;
       auto [all, tessellation] = write_body(job, map, surface, fits.reports[k], std::move(own),
                                             is_one ? std::string() : folder_of_part(k) + '/', least);
+      written_is_within_tolerance[k] = all["written"]["within_tolerance"] == true;
       metrics[k] = std::move(all);
       tessellations.push_back(std::move(tessellation));
       names.push_back(part.name);
@@ -313,10 +349,18 @@ int write(Job& job, const Parts& maps, Fits<AnySurface> fits, const Json& parame
   if (!is_quiet) std::cout << figures(shown) << std::flush;
   int status = SM::number_of_values(fits.surfaces) == maps.size() ? SUCCESS : PARTLY_SERVED;
   std::vector<Part_message> not_reached;
+  const auto say_not_reached = [&](std::size_t k, const std::string& what) {
+    not_reached.push_back({is_one ? "" : maps[k].name, what + "; the files are written"});
+  };
   for (std::size_t k = 0; k < maps.size(); ++k)
-    if (fits.surfaces[k].has_value() && !fits.metrics[k]["tolerance_reached"])
-      not_reached.push_back({is_one ? "" : maps[k].name,
-                             "the tolerance was not reached: " + fits.errors[k] + "; the files are written"});
+    if (fits.surfaces[k].has_value()) {
+      const SM::Fit_report& report = fits.reports[k];
+      if (!fits.metrics[k]["tolerance_reached"])
+        say_not_reached(k, "the tolerance was not reached: " + fits.errors[k]);
+      else if (!written_is_within_tolerance[k])
+        say_not_reached(k, "surface.ply is farther from the mesh than the tolerance");
+      if (report.folds > 0) say_not_reached(k, folds_sentence(report));
+    }
   say_of_parts("fit_mesh", not_reached);
   if (!not_reached.empty()) status = TOLERANCE_NOT_REACHED;
   return status;
@@ -383,7 +427,7 @@ int fit_hierarchical(Job& job, Parts maps, const Bump& bump)
                           shown(request.average) + "), max " +
                           shown(only_vertices ? report.vertex_max_error : report.max_error) + " (tolerance " +
                           shown(request.maximum) + ") of the diagonal, " + std::to_string(report.controls) +
-                          " controls");
+                          " controls" + reason(report));
   }
   say_of_parts("fit_mesh", messages);
   return write(job, maps, std::move(fits), parameters);

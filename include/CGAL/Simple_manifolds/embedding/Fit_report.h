@@ -95,8 +95,8 @@ struct Fit_report : Fit_errors {
     Eigen::Vector3d::Zero(); ///< the point of the mesh where the error is `max_error`
   double target_rms =
     0; ///< how far the target is from the facets, root mean square, fraction of the diagonal
-  double target_max = 0; ///< the largest such distance
-  std::size_t folds = 0; ///< the number of faces over which the surface turns over
+  double target_max = 0;         ///< the largest such distance
+  std::size_t folds = 0;         ///< the number of faces over which the surface turns over
   std::vector<Fold> fold_places; ///< the first of them
   double rms_tolerance = 0;      ///< the tolerance of `rms_error`
   double max_tolerance = 0;      ///< the tolerance of `max_error`
