@@ -297,7 +297,7 @@ TEST_CASE("Marking by vertices brings the vertices within the tolerance, with fe
   // Coarse, so that the faces are far from the smooth surface through the vertices.
   const SM::Manifold_map<SM::Sphere_atlas> map = octahedron_map(3, bumpy_sphere);
   SM::Fit_report all, vertices;
-  const auto tolerance = SM::parameters::rms_error(1.).max_error(2e-3);
+  const auto tolerance = SM::parameters::rms_error(1.).max_error(2e-3).fit_target(SM::Fit_target::FACETS);
   SM::fit_surface(map, SM::parameters::fit_report(std::ref(all), tolerance));
   const auto surface =
     SM::fit_surface(map, SM::parameters::marking(SM::Marking::VERTICES,
@@ -489,8 +489,10 @@ TEST_CASE("Surfaces fitted to a real mesh do not wiggle between the samples")
   const SM::Manifold_map<SM::Sphere_atlas> map = octahedron_map(4, bumpy_sphere);
   for (const double tolerance : {1e-2, 3e-3, 1e-3}) {
     SM::Fit_report report;
-    const auto surface =
-      SM::fit_surface(map, SM::parameters::rms_error(1.).max_error(tolerance).fit_report(std::ref(report)));
+    const auto surface = SM::fit_surface(map, SM::parameters::rms_error(1.)
+                                                .max_error(tolerance)
+                                                .fit_target(SM::Fit_target::FACETS)
+                                                .fit_report(std::ref(report)));
     CHECK(report.tolerance_reached);
     const Error e = error_in_faces(surface, map, 20000);
     CHECK(e.rms < 1.35 * report.rms_error);

@@ -173,14 +173,16 @@ private:
       points.push_back({offset, uv ? *uv : Eigen::Vector2d(0, 0), weight});
     }
     patch.surface = Local_surface(normal, points, has_parameters);
-    // A little more than the height of an arc above its chord that turns as much as the faces do.
-    double tangent = 0;
-    for (const int* h = sectors_.begin(s); h != sectors_.end(s); ++h) {
-      const Eigen::Vector3d& n = sectors_.face_normal(*h / 3);
-      if (n.squaredNorm() > 0)
-        tangent = (std::max)(tangent, normal.cross(n).norm() / (std::max)(0.1, normal.dot(n)));
-    }
-    patch.largest_height = 0.3 * (std::min)(tangent, 1.) * patch.length;
+    // Twice the height of an arc above its chord, if it turns as much as the normals do: those of its faces are half as
+    // far from its own as those of neighbours.
+    const auto tangent = [&](const Eigen::Vector3d& n) {
+      return n.squaredNorm() > 0 ? normal.cross(n).norm() / (std::max)(0.1, normal.dot(n)) : 0;
+    };
+    double turn = 0;
+    for (const int* h = sectors_.begin(s); h != sectors_.end(s); ++h)
+      turn = (std::max)(turn, 2 * tangent(sectors_.face_normal(*h / 3)));
+    for_each_neighbour(s, [&](int t) { turn = (std::max)(turn, tangent(sectors_.normal(t))); });
+    patch.largest_height = 0.25 * (std::min)(turn, 2.) * patch.length;
   }
 
   // What is left to do after all patches are known: creases go through their vertices, and at other vertices the
