@@ -160,14 +160,13 @@ private:
     line("distance", percent(s["closest_point_rms"]) + " of the diagonal rms, at most " +
                        percent(s["closest_point_max"]) + ", from the mesh to the nearest point");
     if (s.contains("target_max") && s["target_max"].get<double>() > 0)
-      line("target", percent(s["target_rms"]) + " of the diagonal rms from the facets, at most " +
-                       percent(s["target_max"]) +
-                       ": the errors are measured from the smooth surface of the vertices");
+      line("target", percent(s["target_max"]) + " of the diagonal at most from the facets");
     if (metrics_.contains("written")) {
       const Json& w = metrics_["written"];
-      line("surface.ply", percent(w["surface_to_mesh"]["max"]) +
-                            " of the diagonal at most from the mesh, the mesh at most " +
-                            percent(w["mesh_to_surface"]["max"]) + " from it, " + count(w["faces"], "faces"));
+      const double largest =
+        (std::max)(w["mesh_to_surface"]["max"].get<double>(), w["surface_to_mesh"]["max"].get<double>());
+      line("surface.ply",
+           percent(largest) + " of the diagonal at most from the mesh, " + count(w["faces"], "faces"));
     }
     if (s.contains("folds") && s["folds"] > 0) line("folds", "at " + count(s["folds"], "faces of the mesh"));
     line("normals", shown(s["normal_deviation"].get<double>() * 180 / 3.14159265358979324) +

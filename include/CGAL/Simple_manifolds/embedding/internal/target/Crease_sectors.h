@@ -47,7 +47,9 @@ public:
 
   bool is_crease(int h) const { return is_crease_[h]; }
   bool is_on_crease(int v) const { return is_on_crease_[v]; }
-  /// The sector of a vertex that is on no crease; -1 if it has no faces.
+  /// On a crease or at a corner of the border.
+  bool is_interpolated(int v) const { return is_on_crease_[v] || is_corner_[v]; }
+  /// The sector of a vertex that is not interpolated; -1 if it has no faces.
   int of_vertex(int v) const { return of_vertex_[v]; }
 
   /// The point of the crease of a half-edge at t in [0,1]: Hermite's cubic through its ends, with the tangents of the
@@ -58,6 +60,11 @@ public:
   int target(int h) const { return faces_[h / 3][(h + 1) % 3]; }
 
 private:
+  // Whether a line goes on, at less than 45 degrees, or has a corner.
+  static bool is_straight(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+  {
+    return a.dot(b) > 0.7 * a.norm() * b.norm();
+  }
   static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
@@ -68,8 +75,8 @@ private:
   const std::vector<Eigen::Vector3d>& points_;
   const std::vector<Triangle>& faces_;
   std::vector<Eigen::Vector3d> face_normals_;
-  std::vector<char> is_crease_;    // per half-edge
-  std::vector<char> is_on_crease_; // per vertex
+  std::vector<char> is_crease_;                // per half-edge
+  std::vector<char> is_on_crease_, is_corner_; // per vertex
   std::vector<int> of_corner_, of_vertex_;
   std::vector<std::size_t> begin_; // of the corners of a sector
   std::vector<int> corners_;

@@ -75,10 +75,21 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Crease_sectors::find_sectors(const std::vector
   const int corners = int(opposite.size());
   Union_find classes(corners);
   is_on_crease_.assign(points_.size(), 0);
+  is_corner_.assign(points_.size(), 0);
   for (int h = 0; h < corners; ++h) {
     if (is_crease_[h]) is_on_crease_[source(h)] = is_on_crease_[target(h)] = 1;
     const int before = previous(h); // ends where h starts
     if (opposite[before] >= 0 && !is_crease_[before]) classes.join(h, opposite[before]);
+  }
+  // corners of borders are interpolated, too
+  std::vector<int> next_on_border(points_.size(), -1);
+  for (int h = 0; h < corners; ++h)
+    if (opposite[h] < 0) next_on_border[source(h)] = target(h);
+  for (int h = 0; h < corners; ++h) {
+    const int v = target(h);
+    if (opposite[h] >= 0 || next_on_border[v] < 0) continue;
+    const Eigen::Vector3d a = points_[v] - points_[source(h)], b = points_[next_on_border[v]] - points_[v];
+    if (!is_straight(a, b)) is_corner_[v] = 1;
   }
   of_corner_.assign(corners, -1);
   begin_.assign(1, 0);
@@ -102,7 +113,7 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Crease_sectors::find_sectors(const std::vector
     const Eigen::Vector3d a = points_[target(h)] - points_[source(h)],
                           b = points_[source(previous(h))] - points_[source(h)];
     normals_[s] += std::atan2(a.cross(b).norm(), a.dot(b)) * face_normals_[h / 3];
-    if (!is_on_crease_[source(h)]) of_vertex_[source(h)] = s;
+    if (!is_interpolated(source(h))) of_vertex_[source(h)] = s;
   }
   for (Eigen::Vector3d& n : normals_) n.stableNormalize();
 }
@@ -121,7 +132,7 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Crease_sectors::find_tangents()
     // of the parabola through three points, by the lengths of their chords; none at corners
     const Eigen::Vector3d a = points_[v] - points_[ends[v][0]], b = points_[ends[v][1]] - points_[v];
     const double l = a.norm(), m = b.norm();
-    if (a.dot(b) > 0.7 * l * m) tangents_[v] = (a / l * m + b / m * l) / (l + m);
+    if (is_straight(a, b)) tangents_[v] = (a / l * m + b / m * l) / (l + m);
   }
 }
 

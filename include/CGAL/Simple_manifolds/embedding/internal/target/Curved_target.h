@@ -191,7 +191,7 @@ private:
   {
     const int v = sectors_.vertex(s);
     const Eigen::Vector3d way = map_.point(v) - blend_at_corner(*sectors_.begin(s));
-    if (sectors_.is_on_crease(v)) return way;
+    if (sectors_.is_interpolated(v)) return way;
     const double length = way.norm(), usual = usual_shift * patches_[s].length;
     return length > usual ? Eigen::Vector3d((1 - usual / length) * way) : Eigen::Vector3d(0, 0, 0);
   }
@@ -239,7 +239,7 @@ private:
       const double length = slide.norm();
       sum += weight * (std::clamp(height, -patch.largest_height, patch.largest_height) * n +
                        (length > limit ? limit / length : 1) * slide);
-      if (!sectors_.is_on_crease(v)) sum += weight * patch.shift;
+      if (!sectors_.is_interpolated(v)) sum += weight * patch.shift;
       total += weight;
     };
     // merges the three sorted lists of neighbours
@@ -272,7 +272,7 @@ private:
     for (int k = 0; k < 3; ++k) {
       const int h = 3 * location.face + k;
       const double b = location.barycentric[k];
-      if (sectors_.is_on_crease(sectors_.source(h))) x += b * b * patches_[sectors_.at_corner(h)].shift;
+      if (sectors_.is_interpolated(sectors_.source(h))) x += b * b * patches_[sectors_.at_corner(h)].shift;
     }
     return x;
   }

@@ -105,7 +105,7 @@ CGAL_SIMPLE_MANIFOLDS_INLINE Local_surface::Local_surface(const Eigen::Vector3d&
     error +=
       points[k].weight *
       (frame_(above[k].at) - shift.transpose() * terms(parameter_frame_(parameters[k].at))).squaredNorm();
-  if (!(error < 0.04 * total)) parameter_frame_ = Plane_frame(); // parameters that say nothing
+  if (!(error < 0.0025 * total)) parameter_frame_ = Plane_frame(); // they are no function of the parameters
 }
 
 } // namespace internal
