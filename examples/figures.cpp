@@ -158,7 +158,7 @@ private:
     line("rms error", percent(s["rms_error"]) + " of the diagonal" + rms);
     line("largest error", percent(s["max_error"]) + " of the diagonal" + max);
     line("distance", percent(s["closest_point_rms"]) + " of the diagonal rms, at most " +
-                       percent(s["closest_point_max"]) + ", of the mesh from it");
+                       percent(s["closest_point_max"]) + ", from mesh to surface");
     if (s.contains("target_max") && s["target_max"].get<double>() > 0)
       line("target", percent(s["target_max"]) + " of the diagonal at most from the facets");
     if (metrics_.contains("written")) {
