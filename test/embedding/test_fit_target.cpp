@@ -200,6 +200,15 @@ TEST_CASE("Curvatures are those of the surface up to the border of a disk")
   CHECK(share(errors, .95) < 0.07); // a quadric's
 }
 
+TEST_CASE("The target of a very coarse mesh stays near the facets")
+{
+  const auto map = octahedron_map(2, on_ellipsoid); // 66 vertices
+  SM::Fit_report report;
+  SM::fit_surface(map, SM::parameters::fit_target(SM::Fit_target::CURVED).fit_report(std::ref(report)));
+  CHECK(report.target_max > 2e-3);
+  CHECK(report.target_max < 1.5e-2);
+}
+
 TEST_CASE("A cube has creases: its target is the cube")
 {
   const auto map = cube_map(6);

@@ -75,8 +75,9 @@ public:
       on_edge.face = location.face;
       on_edge.barycentric[k] = b[k] / sum;
       on_edge.barycentric[l] = 1 - on_edge.barycentric[k];
-      x += sum * sum *
-           (sectors_.crease_point(h, on_edge.barycentric[l]) - base(on_edge, map_.to_domain(on_edge)));
+      Eigen::Vector3d way = sectors_.crease_point(h, on_edge.barycentric[l]) - map_.position(on_edge);
+      if (const double length = way.norm(); length > largest_way()) way *= largest_way() / length;
+      x += sum * sum * (map_.position(on_edge) + way - base(on_edge, map_.to_domain(on_edge)));
     }
     return x;
   }
@@ -92,6 +93,9 @@ private:
   static constexpr double usual_shift = 0.05;   // of vertices, in lengths of edges
   static constexpr double largest_slide = 0.25; // along the surface, likewise
   static constexpr double reach = 1.8;          // of a weight, in the frame of its patch
+
+  // Of a point from the facets: very coarse meshes say too little of what is between their vertices.
+  double largest_way() const { return 0.01 * map_.diagonal(); }
 
   struct Patch {
     Local_surface surface;
@@ -182,7 +186,7 @@ private:
     for (const int* h = sectors_.begin(s); h != sectors_.end(s); ++h)
       turn = (std::max)(turn, 2 * tangent(sectors_.face_normal(*h / 3)));
     for_each_neighbour(s, [&](int t) { turn = (std::max)(turn, tangent(sectors_.normal(t))); });
-    patch.largest_height = 0.25 * (std::min)(turn, 2.) * patch.length;
+    patch.largest_height = (std::min)(0.25 * (std::min)(turn, 2.) * patch.length, largest_way());
   }
 
   // What is left to do after all patches are known: creases go through their vertices, and at other vertices the
@@ -234,7 +238,7 @@ private:
       const double t = (std::max)(0., 1 - square / (reach * reach)), weight = t * t * t + least;
       if (!(weight > 0)) return;
       const Eigen::Vector3d &n = sectors_.normal(s), way = x - flat;
-      const double height = n.dot(way), limit = largest_slide * patch.length;
+      const double height = n.dot(way), limit = (std::min)(largest_slide * patch.length, largest_way());
       const Eigen::Vector3d slide = way - height * n;
       const double length = slide.norm();
       sum += weight * (std::clamp(height, -patch.largest_height, patch.largest_height) * n +
