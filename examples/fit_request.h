@@ -1,0 +1,35 @@
+// What is asked of fit_mesh: its command line.
+
+#ifndef SIMPLE_MANIFOLDS_EXAMPLES_FIT_REQUEST_H
+#define SIMPLE_MANIFOLDS_EXAMPLES_FIT_REQUEST_H
+
+#include "Command_line.h"
+
+#include <CGAL/Simple_manifolds/embedding/Fit_options.h>
+
+namespace tools {
+
+namespace SM = CGAL::Simple_manifolds;
+
+/// What of it concerns the fit.
+struct Fit_request {
+  bool is_patches;
+  double average, maximum; // tolerances
+  int degree, smoothness, patches;
+  long samples, controls;
+  double fairness;
+  SM::Marking marking;
+  SM::Fit_target target;
+  double crease_angle;
+  SM::Joint_solve joint;
+};
+
+/// With all options of fit_mesh.
+Command_line fit_command_line();
+
+/// \throw Usage_error
+Fit_request fit_request(const Command_line& options);
+
+} // namespace tools
+
+#endif // SIMPLE_MANIFOLDS_EXAMPLES_FIT_REQUEST_H
