@@ -5,7 +5,9 @@
 #include <CGAL/simple_manifolds.h>
 
 #include <CGAL/Simple_manifolds/IO/internal/read_file_mesh_impl.h>
+#include <CGAL/Simple_manifolds/atlas/Hyperbolic_atlas_impl.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas_impl.h>
+#include <CGAL/Simple_manifolds/atlas/Square_tiling_impl.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas_impl.h>
 #include <CGAL/Simple_manifolds/atlas/internal/averaged_tile_impl.h>
 #include <CGAL/Simple_manifolds/atlas/internal/barycentric_impl.h>

@@ -24,12 +24,13 @@ files. Only `map_to_sphere()` and the others, which find the domain points, need
 
 Signs of orientations and the choice of the tile are exact; everything else is computed in double precision.
 All members are `const` (or static) and may be called from several threads at once. An atlas may have a state, such as
-a genus; maps, surfaces and files carry the object, and nothing makes one by itself. The package's own atlases have none,
-and are default constructible.
+a genus; maps, surfaces and files carry the object, and nothing makes one by itself. The package's own atlases but for
+`CGAL::Simple_manifolds::Hyperbolic_atlas` have none, and are default constructible.
 
 \cgalRefines{CopyConstructible,Assignable}
 
 \cgalHasModelsBegin
+\cgalHasModels{CGAL::Simple_manifolds::Hyperbolic_atlas}
 \cgalHasModels{CGAL::Simple_manifolds::Plane_atlas}
 \cgalHasModels{CGAL::Simple_manifolds::Sphere_atlas}
 \cgalHasModels{CGAL::Simple_manifolds::Torus_atlas}

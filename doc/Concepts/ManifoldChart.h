@@ -16,6 +16,7 @@ transition from chart a to chart b at `uv` is `b.coordinates_jet(a.point_jet(uv)
 \cgalRefines{CopyConstructible,Assignable}
 
 \cgalHasModelsBegin
+\cgalHasModels{CGAL::Simple_manifolds::Hyperbolic_chart}
 \cgalHasModels{CGAL::Simple_manifolds::Plane_atlas::Chart}
 \cgalHasModels{CGAL::Simple_manifolds::Sphere_atlas::Chart}
 \cgalHasModels{CGAL::Simple_manifolds::Torus_atlas::Chart}

@@ -19,10 +19,14 @@
 
 #include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
+#include <CGAL/Simple_manifolds/atlas/Hyperbolic_atlas.h>
+#include <CGAL/Simple_manifolds/atlas/Hyperbolic_chart.h>
+#include <CGAL/Simple_manifolds/atlas/Integer_isometry.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/atlas/Partition_of_unity.h>
 #include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
+#include <CGAL/Simple_manifolds/atlas/Square_tiling.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 
 #include <CGAL/Simple_manifolds/Input_indices.h>

@@ -6,6 +6,7 @@
 #include "truth.h"
 
 #include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
+#include <CGAL/Simple_manifolds/atlas/Hyperbolic_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Partition_of_unity.h>
 #include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
@@ -43,9 +44,9 @@ public:
   }
 };
 
-// Every member of the page, with what it promises.
+// Every member of the page, with what it promises. share: of a tile that triangles may fill; accuracy: of charts.
 template <class Atlas>
-void check_model_of_atlas(const Atlas& atlas)
+void check_model_of_atlas(const Atlas& atlas, double share = 1, double accuracy = 1e-15)
 {
   using Point = typename Atlas::Domain_point;
   using Chart = typename Atlas::Chart;
@@ -71,8 +72,9 @@ void check_model_of_atlas(const Atlas& atlas)
   truth::Random random(1);
   for (int i = 0; i < 200; ++i) {
     const int t = random.index(n);
-    const double s = random.uniform(0.01, 0.99);
-    const Point p = atlas.tile_point(t, s, random.uniform(0.01, 0.99));
+    const auto place = [share](double x) { return 0.5 + share * (x - 0.5); };
+    const double s = place(random.uniform(0.01, 0.99));
+    const Point p = atlas.tile_point(t, s, place(random.uniform(0.01, 0.99)));
     const int best = atlas.best_chart(p);
     REQUIRE(atlas.is_valid(p));
     REQUIRE(atlas.is_valid(atlas.equal_area_point(random.uniform(), random.uniform())));
@@ -97,7 +99,7 @@ void check_model_of_atlas(const Atlas& atlas)
       REQUIRE(chart.contains(p));
       REQUIRE(q.uv == atlas.coordinates(q.chart, p));
       REQUIRE(q.uv == chart.coordinates(p));
-      REQUIRE((chart.point(q.uv) - p).norm() < 1e-15);
+      REQUIRE((chart.point(q.uv) - p).norm() < accuracy);
       REQUIRE(atlas.point(q) == chart.point(q.uv));
       // the derivatives of a chart and of its inverse
       const Basic_jet<Point> by_uv = chart.point_jet(q.uv), by_p = chart.jet_at(p);
@@ -115,7 +117,7 @@ void check_model_of_atlas(const Atlas& atlas)
         REQUIRE(truth::difference(psi, identity_jet(psi.value)) < 1e-15);
     }
     REQUIRE(has_best);
-    const Point q = atlas.tile_point(t, s, 0.995), r = atlas.tile_point(t, 0.005, 0.002);
+    const Point q = atlas.tile_point(t, s, place(0.995)), r = atlas.tile_point(t, place(0.005), place(0.002));
     REQUIRE(atlas.is_triangle(p, q, r));
     REQUIRE(atlas.orientation(p, q, r) == 1); // p is on the right side of the directed edge from q to r
     REQUIRE(atlas.orientation(p, q, atlas.deck(p, q), r, atlas.deck(p, r)) == 1);
@@ -131,7 +133,7 @@ void check_model_of_atlas(const Atlas& atlas)
     REQUIRE(atlas.edge_size(p, m) < atlas.edge_size(p, q));
 
     // a star in the tile
-    const std::vector<Point> ring = {q, r, atlas.tile_point(t, 0.995, 0.005)};
+    const std::vector<Point> ring = {q, r, atlas.tile_point(t, place(0.995), place(0.005))};
     const int chart = atlas.chart_of_star(p, ring);
     REQUIRE(chart == t);
     const auto charts = atlas.charts_of_star(p, ring);
@@ -215,6 +217,8 @@ TEST_CASE("the atlases are models of ManifoldAtlas, their charts of ManifoldChar
   check_model_of_atlas(Plane_atlas());
   check_model_of_atlas(Sphere_atlas());
   check_model_of_atlas(Torus_atlas());
+  check_model_of_atlas(Hyperbolic_atlas(2), 0.4, 1e-14);
+  check_model_of_atlas(Hyperbolic_atlas(5), 0.4, 1e-14);
   CHECK((Plane_atlas::genus() == 0 && Sphere_atlas::genus() == 0 && Torus_atlas::genus() == 1));
   CHECK((Plane_atlas::number_of_charts() == 1 && Sphere_atlas::number_of_charts() == 6 &&
          Torus_atlas::number_of_charts() == 9));
@@ -239,6 +243,7 @@ TEST_CASE("a partition of unity needs no more than the concepts promise")
   check_partition<Partition_of_unity<archetype::Atlas>>(an_atlas);
   check_partition<Partition_of_unity<Sphere_atlas, Bump_archetype>>(Sphere_atlas());
   check_partition<Partition_of_unity<Torus_atlas, Bump_archetype>>(Torus_atlas());
+  check_partition<Partition_of_unity<Hyperbolic_atlas, Bump_archetype>>(Hyperbolic_atlas(3));
 }
 
 template <class Atlas>
@@ -279,6 +284,7 @@ TEST_CASE("the shapes of an atlas are positively oriented, and whole where they 
   check_shapes(Plane_atlas());
   check_shapes(Sphere_atlas());
   check_shapes(Torus_atlas());
+  check_shapes(Hyperbolic_atlas(3));
   check_shapes(an_atlas);
 }
 
