@@ -32,4 +32,5 @@
 #include <CGAL/Simple_manifolds/embedding/internal/target/Crease_sectors_impl.h>
 #include <CGAL/Simple_manifolds/embedding/internal/target/Local_surface_impl.h>
 #include <CGAL/Simple_manifolds/internal/surface_faults_impl.h>
+#include <CGAL/Simple_manifolds/registration/register_maps_impl.h>
 #include <CGAL/Simple_manifolds/repair/repair_soup_impl.h>

@@ -58,6 +58,10 @@
 #include <CGAL/Simple_manifolds/correspondence/refine.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
+#include <CGAL/Simple_manifolds/registration/Correspondence.h>
+#include <CGAL/Simple_manifolds/registration/correspondence_distortion.h>
+#include <CGAL/Simple_manifolds/registration/register_maps.h>
+
 #include <CGAL/Simple_manifolds/embedding/Bspline_basis.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_options.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>

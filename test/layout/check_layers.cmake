@@ -5,11 +5,11 @@
 # #include lines of all headers below ROOT and names every edge that goes another way.
 
 cmake_minimum_required(VERSION 3.22)
-set(layers . atlas repair correspondence embedding paper tessellation IO draw.h) # . = Error.h, ..., and internal/
+set(layers . atlas repair correspondence registration embedding paper tessellation IO draw.h) # . = Error.h, ..., and internal/
 list(FIND layers tessellation convenience) # the last layer that simple_manifolds.h includes
 
-# The paper's method is an annex of the two layers before it, whose rooms it may use.
-set(annex "^paper/")
+# The paper's method is an annex of the layers before it, registration one of the engine of maps: they may use the rooms.
+set(annex "^(paper|registration)/")
 
 # What the atlas may take from elsewhere: it knows no mesh, no kernel and no solver.
 set(atlas_may_include "^(Eigen/|boost/multiprecision/|CGAL/assertions\\.h$|[a-z_0-9]+$)")

@@ -42,6 +42,7 @@ enum class Error_code {
   element_not_mapped,       ///< a vertex or a face that a map knows nothing of
   map_not_bijective,        ///< the certificate of a map fails
   numeric_failure,          ///< a linear solver or an iteration failed
+  landmarks_not_met,        ///< landmarks of a registration that contradict each other, or cannot be reached
   partition_failed,         ///< a step of the paper's partition of a mesh found no way
   cannot_open,              ///< a file that cannot be opened for reading
   unsupported_format,       ///< a file of a format that is not read or written here

@@ -39,6 +39,9 @@
   X(partition_reports)   /* std::reference_wrapper<std::vector<Partition_report>>: one per component */      \
   X(corners)             /* Range of 4 vertex_descriptor: the corners of the square */                       \
   X(landmarks)           /* Range of Landmark: soft targets of vertices */                                   \
+  X(landmark_pairs)      /* Range of Landmark_pair: vertices of one shape that meet those of another */      \
+  X(fix_target)          /* bool: whether a registration leaves the domain points of its target */           \
+  X(registration_report) /* std::reference_wrapper<Registration_report> */                                   \
   X(close_borders)       /* Close_borders: which border loops are closed virtually */                        \
   X(max_components)      /* std::size_t: only this many components of a mesh, the largest */                 \
   X(domain_point_map)    /* WritablePropertyMap vertex -> domain point */                                    \

@@ -1,0 +1,173 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_REGISTRATION_REGISTER_MAPS_IMPL_H
+#define CGAL_SIMPLE_MANIFOLDS_REGISTRATION_REGISTER_MAPS_IMPL_H
+
+#include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/internal/compiled.h>
+#include <CGAL/Simple_manifolds/registration/internal/Registration.h>
+#include <CGAL/Simple_manifolds/registration/register_maps.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+template <class Atlas>
+std::shared_ptr<const Manifold_map<Atlas>>
+with_domain_points(const Manifold_map<Atlas>& map, std::vector<typename Atlas::Domain_point> points)
+{
+  return std::make_shared<const Manifold_map<Atlas>>(
+    map.points(), map.faces(), std::move(points), map.number_of_input_vertices(),
+    map.number_of_virtual_faces(), map.input_indices(), map.atlas());
+}
+
+// Says which landmarks could not be met, all of them up to ten.
+[[noreturn]] inline void throw_landmarks_not_met(const std::vector<std::pair<int, int>>& pairs,
+                                                 std::size_t all, const std::string& why)
+{
+  std::string text = std::to_string(pairs.size()) + " of " + std::to_string(all) + " landmarks " + why + ":";
+  for (std::size_t i = 0; i < pairs.size() && i < 10; ++i)
+    text += (i == 0 ? " vertex " : ", ") + std::to_string(pairs[i].first) + " to " +
+            std::to_string(pairs[i].second);
+  if (pairs.size() > 10) text += ", ...";
+  throw Numeric_error(Error_code::landmarks_not_met, text,
+                      Mesh_element::vertex(static_cast<std::size_t>(pairs[0].first)));
+}
+
+// Pairs without repetitions; a vertex of either shape has one partner.
+inline std::vector<std::pair<int, int>> consistent_pairs(std::vector<std::pair<int, int>> pairs)
+{
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::vector<std::pair<int, int>> bad;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (std::any_of(pairs.begin(), pairs.end(), [&](const auto& other) {
+          return other != pairs[i] && (other.first == pairs[i].first || other.second == pairs[i].second);
+        }))
+      bad.push_back(pairs[i]);
+  if (!bad.empty()) throw_landmarks_not_met(bad, pairs.size(), "contradict each other");
+  return pairs;
+}
+
+// Passes of the finest level over one of the surfaces and then the other, each of which is kept only if the energy of both
+// has become less.
+template <class Geometry>
+void polish(Registered_surface<Geometry>& source, Registered_surface<Geometry>& target,
+            const Registration_request& request, const Registration_options& options,
+            Registration_report& report)
+{
+  std::vector<int> frozen_source, frozen_target;
+  for (const auto& l : request.landmarks) {
+    frozen_source.push_back(l.first);
+    frozen_target.push_back(l.second);
+  }
+  Registration_polish<Geometry> on_source(source, frozen_source, options),
+    on_target(target, frozen_target, options);
+  const auto energy = [&](Registered_surface<Geometry>& s, Registered_surface<Geometry>& t) {
+    return (on_source.run(s, t.lift(), 0) + on_target.run(t, s.lift(), 0)) / 2;
+  };
+  report.energies.assign(1, energy(source, target));
+  const int passes = request.effort == Effort::FAST ? 2 : request.effort == Effort::DEFAULT ? 2 : 8;
+  const int sweeps = request.effort == Effort::FAST ? 2 : 4;
+  for (int pass = 0; pass < passes; ++pass) {
+    const bool is_target = !request.has_fixed_target && pass % 2 == 0;
+    Registered_surface<Geometry>& moved = is_target ? target : source;
+    std::vector<typename Geometry::Point> before = moved.domain_points;
+    if (is_target)
+      on_target.run(target, source.lift(), sweeps);
+    else
+      on_source.run(source, target.lift(), sweeps);
+    const double after = energy(source, target);
+    if (after < report.energies.back())
+      report.energies.push_back(after);
+    else
+      moved.domain_points = std::move(before);
+    request.visitor.progress((pass + 1.) / passes);
+  }
+}
+
+template <class Geometry>
+Correspondence<Sphere_atlas> registered(const Manifold_map<Sphere_atlas>& source,
+                                        const Manifold_map<Sphere_atlas>& target,
+                                        const Registration_request& asked, Registration_report& report)
+{
+  Registration_request request = asked;
+  request.landmarks = consistent_pairs(std::move(request.landmarks));
+  report = Registration_report();
+  report.landmarks = request.landmarks.size();
+  std::vector<Indexed_landmark<Eigen::Vector3d>> landmarks;
+  for (const auto& l : request.landmarks) landmarks.push_back({l.first, target.domain_point(l.second), 1});
+
+  Registered_surface<Geometry> a(source.points(), source.faces(), source.domain_points());
+  Registered_surface<Geometry> b(target.points(), target.faces(), target.domain_points());
+  const Lift<Geometry> lift = b.lift();
+  Registration_options options;
+  options.is_parallel = request.is_parallel;
+  options.sweeps = request.effort == Effort::FAST ? 0.5 : request.effort == Effort::QUALITY ? 2 : 1;
+  std::string fault; // of the last attempt
+  for (int attempt = 0; attempt < number_of_attempts; ++attempt) {
+    request.visitor.start_phase("register");
+    Registration_course course;
+    std::optional<std::vector<Eigen::Vector3d>> points =
+      Coarse_to_fine_registration<Geometry>(a, lift, landmarks, options).run(course, [&](double fraction) {
+        request.visitor.progress((std::min)(fraction, 1.));
+      });
+    request.visitor.end_phase();
+    if (points && !course.unreached.empty()) {
+      std::vector<std::pair<int, int>> bad;
+      for (const int i : course.unreached) bad.push_back(request.landmarks[i]);
+      throw_landmarks_not_met(bad, landmarks.size(),
+                              "cannot be met with the connectivity of the first shape");
+    }
+    if (points) {
+      Registered_surface<Geometry> c(source.points(), source.faces(), std::move(*points)), d = b;
+      report.exact_at = course.exact_at;
+      report.rotations = std::move(course.rotations);
+      request.visitor.start_phase("polish");
+      polish(c, d, request, options, report);
+      request.visitor.end_phase();
+      request.visitor.start_phase("certify");
+      try {
+        Correspondence<Sphere_atlas> result(with_domain_points(source, std::move(c.domain_points)),
+                                            with_domain_points(target, std::move(d.domain_points)));
+        request.visitor.end_phase();
+        return result;
+      } catch (const Numeric_error& e) { // begin anew with a better conditioned energy
+        fault = std::string("; the last attempt: ") + e.what();
+      }
+      request.visitor.end_phase();
+    }
+    options.area_floor = attempt == 0 ? 0.5 : 1;
+    options.shape_floor = attempt == 0 ? 1 : 100;
+  }
+  throw Numeric_error(Error_code::numeric_failure, "no registration in double precision was found for the " +
+                                                     std::to_string(source.number_of_faces()) + " and " +
+                                                     std::to_string(target.number_of_faces()) + " faces" +
+                                                     fault);
+}
+
+#ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Correspondence<Sphere_atlas>
+registered<Sphere_geometry>(const Manifold_map<Sphere_atlas>&, const Manifold_map<Sphere_atlas>&,
+                            const Registration_request&, Registration_report&);
+#endif
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_REGISTRATION_REGISTER_MAPS_IMPL_H
