@@ -40,6 +40,9 @@
   X(corners)             /* Range of 4 vertex_descriptor: the corners of the square */                       \
   X(landmarks)           /* Range of Landmark: soft targets of vertices */                                   \
   X(landmark_pairs)      /* Range of Landmark_pair: vertices of one shape that meet those of another */      \
+  X(landmark_rows)       /* Range of ranges: per landmark its vertex of each shape */                        \
+  X(template_shape)      /* std::size_t: the shape that others are registered to */                          \
+  X(mean_iterations)     /* int: how often several shapes are registered to their mean */                    \
   X(fix_target)          /* bool: whether a registration leaves the domain points of its target */           \
   X(registration_report) /* std::reference_wrapper<Registration_report> */                                   \
   X(close_borders)       /* Close_borders: which border loops are closed virtually */                        \

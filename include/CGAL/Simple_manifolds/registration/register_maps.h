@@ -23,6 +23,7 @@
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -77,7 +78,17 @@ Correspondence<Sphere_atlas> registered(const Manifold_map<Sphere_atlas>& source
                                         const Manifold_map<Sphere_atlas>& target,
                                         const Registration_request& request, Registration_report& report);
 
+// The map with its domain points moved so that there is less distortion between it and the target, which stays; the
+// sources of the landmarks stay, too.
+template <class Geometry = Sphere_geometry>
+std::shared_ptr<const Manifold_map<Sphere_atlas>>
+polished(const std::shared_ptr<const Manifold_map<Sphere_atlas>>& map,
+         const Manifold_map<Sphere_atlas>& target, const Registration_request& request);
+
 #ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
+extern template std::shared_ptr<const Manifold_map<Sphere_atlas>>
+polished<Sphere_geometry>(const std::shared_ptr<const Manifold_map<Sphere_atlas>>&,
+                          const Manifold_map<Sphere_atlas>&, const Registration_request&);
 extern template Correspondence<Sphere_atlas> registered<Sphere_geometry>(const Manifold_map<Sphere_atlas>&,
                                                                          const Manifold_map<Sphere_atlas>&,
                                                                          const Registration_request&,

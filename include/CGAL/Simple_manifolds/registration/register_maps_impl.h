@@ -160,7 +160,30 @@ Correspondence<Sphere_atlas> registered(const Manifold_map<Sphere_atlas>& source
                                                      fault);
 }
 
+template <class Geometry>
+std::shared_ptr<const Manifold_map<Sphere_atlas>>
+polished(const std::shared_ptr<const Manifold_map<Sphere_atlas>>& map,
+         const Manifold_map<Sphere_atlas>& target, const Registration_request& request)
+{
+  Registered_surface<Geometry> a(map->points(), map->faces(), map->domain_points());
+  const Registered_surface<Geometry> b(target.points(), target.faces(), target.domain_points());
+  const Lift<Geometry> lift = b.lift();
+  std::vector<int> frozen;
+  for (const auto& l : request.landmarks) frozen.push_back(l.first);
+  Registration_options options;
+  options.is_parallel = request.is_parallel;
+  request.visitor.start_phase("polish");
+  Registration_polish<Geometry> polish(a, frozen, options);
+  const double before = polish.run(a, lift, 0);
+  const double after = polish.run(a, lift, request.effort == Effort::FAST ? 3 : 6);
+  request.visitor.end_phase();
+  return after < before ? with_domain_points(*map, std::move(a.domain_points)) : map;
+}
+
 #ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE std::shared_ptr<const Manifold_map<Sphere_atlas>>
+polished<Sphere_geometry>(const std::shared_ptr<const Manifold_map<Sphere_atlas>>&,
+                          const Manifold_map<Sphere_atlas>&, const Registration_request&);
 CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Correspondence<Sphere_atlas>
 registered<Sphere_geometry>(const Manifold_map<Sphere_atlas>&, const Manifold_map<Sphere_atlas>&,
                             const Registration_request&, Registration_report&);
