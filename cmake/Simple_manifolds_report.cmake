@@ -26,7 +26,7 @@ endfunction()
 
 function(simple_manifolds_report_page folder)
   set(script "(() => {\n'use strict';\n\n")
-  foreach(part data colours geometry view controls plots parts main)
+  foreach(part data colours geometry places view controls plots parts main)
     file(READ "${SIMPLE_MANIFOLDS_VIEWER}/${part}.js" text)
     string(APPEND script "${text}\n")
     list(APPEND sources "${SIMPLE_MANIFOLDS_VIEWER}/${part}.js")

@@ -40,6 +40,18 @@ exports("s.glb" ${surface} -o ${out}.glb --chord-error 0.001)
 exports("s.ply" ${map} -o ${out}.ply)
 exports("s.glb" ${surface} -o ${out}.glb --subdivisions 5 --texture curvature --texels 16)
 
+# The triangles are within half the tolerance of the fit, and it says how far they are; a grid is what it is.
+foreach(options "" "--subdivisions;5")
+  execute_process(COMMAND ${EXPORT_SURFACE} ${surface} -o ${WORK}/s.ply ${options} OUTPUT_VARIABLE said)
+  if(options AND NOT said MATCHES " 300 triangles")
+    message(SEND_ERROR "export_surface --subdivisions makes another grid:\n${said}")
+  endif()
+  string(REGEX MATCH " at most ([0-9.e-]+) of the diagonal from the surface\n$" found "${said}")
+  if(NOT found OR (NOT options AND NOT CMAKE_MATCH_1 LESS_EQUAL 0.025))
+    message(SEND_ERROR "export_surface is not within half the tolerance:\n${said}")
+  endif()
+endforeach()
+
 run(0 ${EXPORT_SURFACE} --help)
 
 # Properties of the mesh go on, or are named; z points upwards unless it is y.

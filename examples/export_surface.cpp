@@ -37,8 +37,16 @@ using Colour = Eigen::Vector3d; // 0 to 1
 
 struct Request {
   std::string input, output, map, texture, up;
-  int subdivisions, texels;
+  int subdivisions; // 0: chosen by the program
+  int texels;
   double chord_error; // 0: none
+  std::size_t parts = 1;
+};
+
+/// What is written, and how far its triangles are from the surfaces, as a fraction of their diagonals.
+struct Export {
+  SM::Charted_mesh mesh;
+  double deviation = 0;
 };
 
 /// Blue for -1 or less, light grey for 0, red for 1 or more.
@@ -110,7 +118,7 @@ std::vector<std::string> write(const std::string& file, const SM::Charted_mesh& 
 //! [write]
 
 template <class Atlas>
-SM::Charted_mesh mesh_of(const SM::Manifold_map<Atlas>& map, const Request& request, const std::string& file)
+Export export_of(const SM::Manifold_map<Atlas>& map, const Request& request, const std::string& file)
 {
   const SM::Mesh_properties properties = SM::read_map_properties(file);
   SM::Charted_mesh mesh = SM::charted_mesh(map, SM::parameters::mesh_properties(std::cref(properties)));
@@ -118,29 +126,65 @@ SM::Charted_mesh mesh_of(const SM::Manifold_map<Atlas>& map, const Request& requ
     mesh.images = SM::png_images(bake_checker<Atlas>(request.texels));
   else if (request.texture != "none")
     throw po::error("the mesh of a map has only --texture checker");
-  return mesh;
+  return {std::move(mesh), 0};
 }
 
-template <class Atlas, class ChartEmbedding, class Bump>
-SM::Charted_mesh mesh_of(const SM::Manifold_surface<Atlas, ChartEmbedding, Bump>& surface,
-                         const Request& request, const std::string& map)
+/// The grid that a refinement starts from must not miss the details of the surface: a cell for each control.
+template <class Surface>
+int first_subdivisions(const Surface& surface, std::size_t parts)
 {
-  const auto tessellation = [&](const auto& np) {
-    if (map.empty()) return SM::charted_tessellation(surface, np);
-    const SM::Mesh_properties properties = SM::read_map_properties(map);
-    return SM::charted_tessellation(surface, SM::read_map<Atlas>(map),
-                                    np.mesh_properties(std::cref(properties)));
+  double controls = 0;
+  if constexpr (std::is_same_v<typename Surface::Chart_embedding, SM::Hierarchical_embedding>)
+    for (int c = 0; c < surface.atlas().number_of_charts(); ++c)
+      controls += double(surface.chart_embedding(c).number_of_coefficients());
+  const double least = (std::max)(6000. / double(parts), 600.);
+  return SM::Tile_grid<typename Surface::Atlas>::subdivisions_for(std::clamp(controls, least, 50000.),
+                                                                  surface.atlas());
+}
+
+//! [tessellation]
+/// A grid, or triangles that are so near to the surface as is asked for.
+template <class Surface, class... Map>
+Export tessellation_of(const Surface& surface, const Request& request, const SM::Mesh_properties& properties,
+                       const Map&... map)
+{
+  const int subdivisions =
+    request.subdivisions > 0 ? request.subdivisions : first_subdivisions(surface, request.parts);
+  const auto tessellate = [&](const auto& np) {
+    if constexpr (sizeof...(Map) == 0)
+      return SM::charted_tessellation(surface, np);
+    else
+      return SM::charted_tessellation(surface, map..., np.mesh_properties(std::cref(properties)));
   };
-  SM::Charted_mesh mesh = request.chord_error > 0
-                            ? tessellation(SM::parameters::chord_error(request.chord_error))
-                            : tessellation(SM::parameters::subdivisions(request.subdivisions));
+  if (request.chord_error > 0) {
+    SM::Tessellation_report report;
+    SM::Charted_mesh mesh = tessellate(SM::parameters::subdivisions(subdivisions)
+                                         .chord_error(request.chord_error)
+                                         .tessellation_report(std::ref(report)));
+    return {std::move(mesh), report.worst * request.chord_error};
+  }
+  SM::Charted_mesh mesh = tessellate(SM::parameters::subdivisions(subdivisions));
+  std::vector<typename Surface::Domain_point> domain_points;
+  for (const SM::Chart_point& p : mesh.chart_points) domain_points.push_back(surface.atlas().point(p));
+  const double error = SM::largest_chord_error(surface, domain_points, mesh.triangles);
+  return {std::move(mesh), error / SM::surface_diagonal(surface)};
+}
+//! [tessellation]
+
+template <class Atlas, class ChartEmbedding, class Bump>
+Export export_of(const SM::Manifold_surface<Atlas, ChartEmbedding, Bump>& surface, const Request& request,
+                 const std::string& map)
+{
+  Export result =
+    map.empty() ? tessellation_of(surface, request, {})
+                : tessellation_of(surface, request, SM::read_map_properties(map), SM::read_map<Atlas>(map));
   if (request.texture == "normals")
-    mesh.images = SM::png_images(bake_normals(surface, request.texels));
+    result.mesh.images = SM::png_images(bake_normals(surface, request.texels));
   else if (request.texture == "curvature")
-    mesh.images = SM::png_images(bake_curvature(surface, mesh, request.texels));
+    result.mesh.images = SM::png_images(bake_curvature(surface, result.mesh, request.texels));
   else if (request.texture == "checker")
-    mesh.images = SM::png_images(bake_checker<Atlas>(request.texels));
-  return mesh;
+    result.mesh.images = SM::png_images(bake_checker<Atlas>(request.texels));
+  return result;
 }
 
 /// The k-th of `n` maps, where `maps` is a file, the first of several, or a folder of fit_mesh; none if it is empty.
@@ -154,28 +198,38 @@ std::string map_of_part(const std::string& maps, const std::string& name, std::s
 
 /// The meshes of all parts of a file; several are one mesh with parts.
 template <class Value>
-SM::Charted_mesh mesh_of_parts(const std::vector<SM::Component<Value>>& parts, const Request& request,
-                               const std::string& maps)
+Export export_of_parts(const std::vector<SM::Component<Value>>& parts, Request request,
+                       const std::string& maps)
 {
+  request.parts = parts.size();
   std::vector<SM::Charted_mesh> meshes;
   std::vector<std::string> names;
+  double deviation = 0;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     names.push_back(parts[k].name);
     const std::string map = map_of_part(maps, names[k], k, parts.size());
-    meshes.push_back(
-      std::visit([&](const auto& value) { return mesh_of(value, request, map); }, parts[k].value()));
+    Export part =
+      std::visit([&](const auto& value) { return export_of(value, request, map); }, parts[k].value());
+    meshes.push_back(std::move(part.mesh));
+    deviation = (std::max)(deviation, part.deviation);
   }
-  return parts.size() == 1 ? std::move(meshes[0]) : SM::joined(std::move(meshes), names);
+  return {parts.size() == 1 ? std::move(meshes[0]) : SM::joined(std::move(meshes), names), deviation};
 }
+
+bool is_map(const Request& request) { return std::filesystem::path(request.input).extension() == ".ply"; }
 
 /// The surfaces of fit_mesh are hierarchical, and their fine grids take little memory as such; those of the paper's
 /// method are stacks of patches.
-SM::Charted_mesh mesh_of_file(const Request& request)
+Export export_of_file(Request request)
 {
   using Bump = SM::Any_smoothstep_bump;
-  if (std::filesystem::path(request.input).extension() == ".ply") {
+  if (is_map(request)) {
     if (!request.map.empty()) throw po::error("only a surface has --map");
-    return mesh_of_parts(SM::read_maps(request.input), request, request.input);
+    return export_of_parts(SM::read_maps(request.input), request, request.input);
+  }
+  if (request.subdivisions == 0 && request.chord_error == 0) {
+    const double tolerance = SM::read_surface_header(request.input).tolerance;
+    request.chord_error = tolerance > 0 ? (std::max)(tolerance / 2, 1e-6) : 1e-3;
   }
   SM::Component_surfaces<Bump> hierarchical;
   try {
@@ -183,9 +237,9 @@ SM::Charted_mesh mesh_of_file(const Request& request)
   } catch (const SM::IO_error&) { // they may be stacks
   }
   return hierarchical.empty()
-           ? mesh_of_parts(SM::read_surfaces<Bump, SM::Patch_stack_embedding>(request.input), request,
-                           request.map)
-           : mesh_of_parts(hierarchical, request, request.map);
+           ? export_of_parts(SM::read_surfaces<Bump, SM::Patch_stack_embedding>(request.input), request,
+                             request.map)
+           : export_of_parts(hierarchical, request, request.map);
 }
 
 /// Whether both names lead to one file that exists.
@@ -214,9 +268,11 @@ Request request_of(int argc, char** argv)
     "texture", po::value(&r.texture)->default_value("none"),
     "images of the charts (.obj, .glb): none, normals, curvature or checker")(
     "texels", po::value(&r.texels)->default_value(256), "texels per side of the image of a chart")(
-    "subdivisions", po::value(&r.subdivisions)->default_value(40), "cells per side of a tile")(
-    "chord-error", po::value(&r.chord_error)->default_value(0, "none"),
-    "instead: the largest distance between triangles and surface, fraction of the diagonal")(
+    "chord-error", po::value(&r.chord_error)->default_value(0, "half the tolerance of the fit"),
+    "the largest distance between triangles and surface, fraction of the diagonal; 0.001 where the surface "
+    "does not say what it was fitted to")(
+    "subdivisions", po::value(&r.subdivisions)->default_value(0, "as needed"),
+    "a grid of so many cells per side of a tile instead; with --chord-error what it starts from")(
     "input", po::value(&r.input)->required(),
     "surface.json or map.ply, as fit_mesh and map_mesh write them, also of several bodies; or FOLDER of "
     "fit_mesh, whose "
@@ -244,7 +300,8 @@ Request request_of(int argc, char** argv)
   if (r.up != "y" && r.up != "z") throw po::error("--up is one of z, y");
   if (!has_images && r.texture != "none") throw po::error("only .obj and .glb have a texture");
   if (r.texels < 2 || r.texels > 8192) throw po::error("--texels must be from 2 to 8192");
-  if (r.subdivisions < 1 || r.subdivisions > 4096) throw po::error("--subdivisions must be from 1 to 4096");
+  if (!values["subdivisions"].defaulted() && (r.subdivisions < 1 || r.subdivisions > 4096))
+    throw po::error("--subdivisions must be from 1 to 4096");
   if (!values["chord-error"].defaulted() && !(r.chord_error >= 1e-6))
     throw po::error("--chord-error must be at least 0.000001");
   std::string materials = r.output;
@@ -263,13 +320,14 @@ int main(int argc, char** argv)
   };
   try {
     const Request request = request_of(argc, argv);
-    const SM::Charted_mesh mesh = mesh_of_file(request);
+    const auto [mesh, deviation] = export_of_file(request);
     const std::vector<std::string> dropped =
       write(request.output, mesh, request.up == "y" ? SM::Up_axis::Y : SM::Up_axis::Z);
     std::cout << request.output << ": " << mesh.atlas << ", "
               << (mesh.parts.empty() ? "" : std::to_string(mesh.parts.size()) + " parts, ")
               << mesh.points.size() << " vertices, " << mesh.triangles.size() << " triangles, "
               << mesh.images.size() << " images\n";
+    if (!is_map(request)) std::cout << "  at most " << deviation << " of the diagonal from the surface\n";
     for (const std::string& name : dropped)
       std::cout << "  dropped, without a place in the format: " << name << '\n';
   } catch (const po::error& e) {

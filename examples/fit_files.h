@@ -70,22 +70,25 @@ std::pair<Json, SM::Charted_mesh> write_body(Job& job, const Map& map, const Sur
   const double chord_error = job.request.average / 2;
   metrics["parameters"].update({{"subdivisions", subdivisions}, {"chord_error", chord_error}});
   const SM::Mesh_properties properties = SM::map_properties(map, job.input.read.properties);
+  SM::Tessellation_report tessellated;
   SM::Charted_mesh tessellation = job.watch.time("tessellate", [&] {
     SM::Charted_mesh mesh = SM::charted_tessellation(surface, map,
                                                      SM::parameters::subdivisions(subdivisions)
                                                        .chord_error(chord_error)
+                                                       .tessellation_report(std::ref(tessellated))
                                                        .mesh_properties(std::cref(properties)));
     SM::write_ply(file("surface.ply"), mesh);
     return mesh;
   });
   metrics["written"] = job.watch.time("distances", [&] { return written_distances(map, tessellation); });
+  metrics["written"]["chord_error"] = number(tessellated.worst * chord_error);
   metrics["written"]["within_tolerance"] =
     is_within_tolerance(job.request, report, metrics["written"], chord_error);
   job.watch.time("write", [&] {
     SM::write_map(
       file("map.ply"), map,
       SM::parameters::repair_report(std::cref(job.input.repair)).mesh_properties(std::cref(properties)));
-    SM::write_surface(file("surface.json"), surface);
+    SM::write_surface(file("surface.json"), surface, SM::parameters::rms_error(job.request.average));
     if (job.request.samples > 0)
       SM::write_samples(file("samples.csv"), surface,
                         SM::random_domain_points<typename Map::Atlas>(job.request.samples));
@@ -136,7 +139,8 @@ int write_fits(Job& job, const Parts& maps, Fits<AnySurface> fits, const Json& p
     for (std::size_t k = 0; k < maps.size(); ++k)
       if (fits.surfaces[k].has_value()) shown["parts"][k]["folder"] = folder_of_part(k);
     job.watch.time("write", [&] {
-      SM::write_surfaces(job.folder.file("surface.json"), fits.surfaces);
+      SM::write_surfaces(job.folder.file("surface.json"), fits.surfaces,
+                         SM::parameters::rms_error(job.request.average));
       SM::write_ply(job.folder.file("surface.ply"), SM::joined(std::move(tessellations), names));
     });
     if (has_report)

@@ -80,7 +80,7 @@ function show_notice({ info }, parts = []) {
 
 const with_capital = text => text[0].toUpperCase() + text.slice(1);
 
-function fill_view(view, { mesh, domain = mesh, chosen, surface, net, info }) {
+function fill_view(view, { mesh, domain = mesh, chosen, surface, net, places, info }) {
   const { container } = view,
     { atlas } = info;
   const add = (title, text, triangles, k) => {
@@ -109,9 +109,12 @@ function fill_view(view, { mesh, domain = mesh, chosen, surface, net, info }) {
     )
   );
   if (surface) {
-    const panel = add('Surface', `${count(surface.triangles.length / 3)} triangles drawn`, surface);
+    const { chord_error } = chosen ? {} : info.fit; // that of one part is not that of all
+    const within = typeof chord_error === 'number' ? `, at most ${percent(chord_error)} off` : '';
+    const panel = add('Surface', `${count(surface.triangles.length / 3)} triangles${within}`, surface);
     if (net.points.length > 0) panel.add_net(net, atlas);
   }
+  if (places.length > 0) for (const panel of view.panels) panel.add_places(places);
   container.dataset.count = view.panels.length;
 }
 
@@ -182,10 +185,10 @@ function make_switches(view, data) {
     on = [...document.querySelectorAll('#toggles input:checked')].map(e => e.id);
   for (const id of ['fields', 'toggles'])
     for (const label of by_id(id).querySelectorAll('label')) label.remove();
-  const toggle = (name, label, key, act) => {
+  const toggle = (name, label, key, act, starts_on = false) => {
     const input = element('input', { type: 'checkbox', id: name });
     input.addEventListener('change', () => act(input.checked));
-    input.checked = on.includes(name);
+    input.checked = on.includes(name) || (!chosen_before && starts_on);
     act(input.checked);
     by_id('toggles').append(element('label', { title: `Key ${key}` }, input, element('span', {}, label)));
   };
@@ -207,8 +210,17 @@ function make_switches(view, data) {
   toggle('wireframe', 'Wireframe', 'W', is_on => view.set_wire(is_on));
   if (data.net && data.net.points.length > 0)
     toggle('nets', 'Control nets', 'N', is_on => view.set_net(is_on));
+  if (data.places.length > 0)
+    toggle(
+      'places_switch',
+      'Places',
+      'P',
+      is_on => view.set_places(is_on),
+      data.places.some(place => place.kind === 'fold')
+    );
   by_id('last_key').textContent = shown.length;
   by_id('net_key').hidden = !by_id('nets');
+  by_id('places_key').hidden = !by_id('places_switch');
   choose(first);
 }
 
@@ -222,9 +234,11 @@ function add_keys(view) {
         ? by_id('wireframe')
         : key === 'n'
           ? by_id('nets')
-          : /^[1-9]$/.test(key)
-            ? document.querySelectorAll('input[name=field]')[key - 1]
-            : null;
+          : key === 'p'
+            ? by_id('places_switch')
+            : /^[1-9]$/.test(key)
+              ? document.querySelectorAll('input[name=field]')[key - 1]
+              : null;
     if (target) target.click();
   });
 }
@@ -356,11 +370,12 @@ async function start() {
     view.clear();
     fill_view(view, shown);
     make_switches(view, shown);
+    show_places(view, shown);
     add_controls(view, make_inspector(view, shown));
     view.draw();
   };
   if (data.parts) make_parts_list(data, show);
-  else show(data);
+  else show({ ...data, places: places_of(data.info) });
   add_keys(view);
   return view;
 }

@@ -69,7 +69,8 @@ function data_of_parts({ info, parts }, shown, chosen) {
         gauss: curvature(mesh.gauss, 2),
       };
     const net = part.net && { points: place(part.net.points), charts: part.net.charts.map(c => c + first) };
-    return { part, mesh: moved(part.mesh), surface: moved(part.surface), net };
+    const places = places_of(part.info).map(place => ({ ...place, chart: place.chart + first, part }));
+    return { part, mesh: moved(part.mesh), surface: moved(part.surface), net, places };
   });
   const all = name => placed.map(p => p[name]).filter(Boolean),
     own = placed.find(p => p.part === chosen);
@@ -87,6 +88,7 @@ function data_of_parts({ info, parts }, shown, chosen) {
     mesh: concatenated(all('mesh')),
     domain: own.mesh,
     chosen,
+    places: all('places').flat(),
     surface: surfaces.length > 0 ? concatenated(surfaces) : undefined,
     net: {
       points: typed(Float32Array, nets.map(net => net.points)),

@@ -171,6 +171,20 @@ class Panel {
     this.object.add(this.net);
   }
 
+  add_places(places) {
+    const points = [],
+      colours = [];
+    for (const q of places) {
+      const at = this.place(q);
+      if (!at) continue;
+      points.push(...at);
+      colours.push(...rgb(place_colours[q.kind]));
+    }
+    this.marks = rings(points, colours);
+    this.marks.visible = false;
+    this.object.add(this.marks);
+  }
+
   // Where a chart point is in this panel, or null.
   place(q) {
     const at = locate(this.mesh, q);
@@ -278,6 +292,18 @@ class View {
     this.request();
   }
 
+  // Centres on a chart point, turned so that its side of the mesh is seen.
+  look_at(q, mesh) {
+    const at = locate(mesh, q);
+    if (at) {
+      const [a, b, c] = item(mesh.triangles, at.triangle, 3).map(v => item(mesh.points, v, 3));
+      const normal = new THREE.Vector3(...unit(cross(subtract(b, a), subtract(c, a))));
+      this.turned.setFromUnitVectors(normal.applyQuaternion(this.front), new THREE.Vector3(0, 0, 1));
+    }
+    this.zoom = Math.max(this.zoom, 3);
+    this.centre_on(q);
+  }
+
   mark(q) {
     this.marked = q && this.panels.map(panel => panel.place(q));
     this.request();
@@ -298,6 +324,11 @@ class View {
   }
   set_net(is_on) {
     for (const { net } of this.panels) if (net) net.visible = is_on;
+    this.request();
+  }
+
+  set_places(is_on) {
+    for (const { marks } of this.panels) if (marks) marks.visible = is_on;
     this.request();
   }
 

@@ -158,7 +158,8 @@ TEST_CASE("surfaces of components read back, as JSON and CBOR")
   const Temporary_folder folder;
   const SM::Component_surfaces<> surfaces = three_surfaces();
   for (const char* name : {"s.json", "s.cbor"}) {
-    SM::write_surfaces(folder(name), surfaces);
+    SM::write_surfaces(folder(name), surfaces, SM::parameters::rms_error(1e-3));
+    CHECK(SM::read_surface_header(folder(name)).tolerance == 1e-3);
     const SM::Component_surfaces<> read = SM::read_surfaces(folder(name));
     REQUIRE(read.size() == 2);
     CHECK(read[0].name == "part-1");

@@ -94,6 +94,7 @@ TEST_CASE("atlas, bump and degree are written and must agree")
   CHECK(header.bump == "bspline");
   CHECK(header.smoothness == 3);
   CHECK(header.degree == 4);
+  CHECK(header.tolerance == 0);
   CHECK(same_surface(SM::read_surface<std::decay_t<decltype(surface)>>(file), surface));
   using Stack = SM::Patch_stack_embedding;
   CHECK_THROWS_AS((SM::read_surface<SM::Manifold_surface<SM::Torus_atlas, Stack>>(file)), SM::IO_error);
@@ -101,6 +102,17 @@ TEST_CASE("atlas, bump and degree are written and must agree")
   CHECK_NOTHROW((SM::read_any_surface<SM::Bspline_bump<3>, Stack>(file)));
   using Wrong_atlas = SM::Manifold_surface<SM::Sphere_atlas, SM::Patch_stack_embedding, SM::Bspline_bump<3>>;
   CHECK_THROWS_AS(SM::read_surface<Wrong_atlas>(file), SM::IO_error);
+}
+
+TEST_CASE("a file says what its surface was fitted to, if it is told")
+{
+  const Temporary_folder folder;
+  const auto surface = some_surface<SM::Torus_atlas>();
+  for (const char* name : {"s.json", "s.cbor"}) {
+    SM::write_surface(folder(name), surface, SM::parameters::rms_error(3e-4));
+    CHECK(SM::read_surface_header(folder(name)).tolerance == 3e-4);
+    CHECK(same_surface(SM::read_surface<std::decay_t<decltype(surface)>>(folder(name)), surface));
+  }
 }
 
 TEST_CASE("a surface is read without knowing its smoothness, and written again")
@@ -256,6 +268,8 @@ TEST_CASE("damaged files are refused with the place of the damage")
   CHECK_THAT(changed("/degree", 0), ContainsSubstring("degree"));
   CHECK_THAT(changed("/degree", 2.5), ContainsSubstring("degree"));
   CHECK_THAT(changed("/degree", 99), ContainsSubstring("degree"));
+  CHECK_THAT(changed("/tolerance", -1e-3), ContainsSubstring("tolerance"));
+  CHECK_THAT(changed("/tolerance", "fine"), ContainsSubstring("tolerance"));
   CHECK_THAT(changed("/charts", nlohmann::json::array()), ContainsSubstring("charts: 1 entries"));
   CHECK_THAT(changed("/charts", 4), ContainsSubstring("array"));
   CHECK_THAT(changed("/charts/0/patches", nlohmann::json::array()), ContainsSubstring("patch"));

@@ -8,6 +8,7 @@
 #include <CGAL/Simple_manifolds/IO/write_report.h>
 #include <CGAL/Simple_manifolds/embedding/fit_components.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
+#include <CGAL/Simple_manifolds/tessellation/tessellate.h>
 
 #include <cstring>
 
@@ -164,6 +165,68 @@ TEST_CASE("a report holds the mesh, the surface and their geometry")
     for (int k = 0; k < 3; ++k) angle = (std::max)(angle, std::abs(normals[3 * i + k] / 32767. - p[k]));
   }
   CHECK(angle < 1e-4);
+}
+
+TEST_CASE("a report draws a surface within half the tolerance and says how far its triangles are")
+{
+  const auto sphere = ellipsoid(Eigen::Vector3d(2, 2, 2));
+  const auto map = map_of(sphere, 8);
+  const Temporary_folder folder;
+  const auto figures = nlohmann::ordered_json::object();
+  std::size_t triangles = 0;
+  for (const double tolerance : {1e-3, 2e-4, 1e-6}) { // the last needs more triangles than a page has
+    SM::Fit_report fit;
+    fit.rms_tolerance = tolerance;
+    SM::write_report(folder("r.html"), map, sphere, fit, figures, page);
+    const Report report(folder.read("r.html"));
+    const double said = report.info["fit"]["chord_error"];
+    CHECK(said > tolerance / 100);
+    CHECK((said <= tolerance / 2) == (tolerance > 1e-6));
+    const auto points = report.array<float>("surface.points");
+    const auto corners = report.indices("surface.triangles");
+    double lowest = 1;
+    for (std::size_t t = 0; t < corners.size(); t += 3) {
+      Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+      for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < 3; ++i) centre[i] += points[3 * std::size_t(corners[t + k]) + i] / 3;
+      lowest = (std::min)(lowest, centre.norm());
+    }
+    CHECK(2 / map.diagonal() - lowest < said + 1e-6);
+    CHECK(corners.size() > 2 * triangles);
+    CHECK(corners.size() <= 300000);
+    triangles = corners.size();
+  }
+}
+
+TEST_CASE("a report says where the error is largest and where the surface turns over")
+{
+  const auto torus = map_of(ring(3, 1), 6);
+  SM::Fit_report fit;
+  fit.max_error = 0.1;
+  fit.worst_point = torus.point(17) + Eigen::Vector3d(1e-6, 0, 0);
+  fit.folds = 30;
+  fit.fold_places = {{5, Eigen::Vector3d::Zero()}, {60, Eigen::Vector3d::Zero()}};
+  const Temporary_folder folder;
+  SM::write_report(folder("r.html"), torus, ring(3, 1), fit, nlohmann::ordered_json::object(), page);
+  const nlohmann::json found = Report(folder.read("r.html")).info["fit"];
+  CHECK(found["folds"] == 30);
+  const auto& atlas = torus.atlas();
+  const auto point = [&](std::size_t k) {
+    const auto& place = found["places"].at(k);
+    const int chart = place["chart"];
+    const double u = place["uv"][0], v = place["uv"][1];
+    const auto p = atlas.point({chart, {u, v}});
+    CHECK(atlas.tile(p) == chart);
+    return torus.position(torus.to_mesh(p));
+  };
+  REQUIRE(found["places"].size() == 3);
+  CHECK(found["places"][0]["kind"] == "worst");
+  CHECK((point(0) - torus.point(17)).norm() < 1e-5);
+  for (const std::size_t k : {1, 2}) {
+    CHECK(found["places"][k]["kind"] == "fold");
+    const SM::Triangle& t = torus.face(std::size_t(fit.fold_places[k - 1].face));
+    CHECK((point(k) - (torus.point(t[0]) + torus.point(t[1]) + torus.point(t[2])) / 3).norm() < 1e-5);
+  }
 }
 
 TEST_CASE("a report of a map alone has no surface; a page without a place for the data is refused")

@@ -3,7 +3,7 @@
 
 Opens reports of the three canonical surfaces in a browser: nothing is complained about and nothing loaded, all
 views are drawn, every switch changes the picture and back, pointer and keys work, the values at a point are those
-of map.ply, and the page fits a phone. Status 77 where no browser is installed.
+of map.ply, folds are marked, and the page fits a phone. Status 77 where no browser is installed.
 """
 import itertools
 import json
@@ -121,8 +121,9 @@ def chart_point(charts, chart, p):
 
 
 class Page:
-    def __init__(self, browser, name):
-        self.browser, self.name = browser, name
+    def __init__(self, browser, path, name):
+        self.browser, self.path, self.name = browser, path, name
+        browser.open(path)
 
     def check(self, holds, what):
         check(holds, f"{self.name}: {what}")
@@ -270,6 +271,35 @@ class Page:
         on = self.browser.run("return document.querySelectorAll('input[name=part]:checked').length")
         self.check(on == 1, "the last part can be switched off")
 
+    def check_places(self):
+        """Where the error is largest, and where the surface turns over, is marked in the views and can be looked at."""
+        buttons = lambda: self.browser.run("return document.querySelectorAll('#places button').length")
+        self.check(buttons() == 1, f"{buttons()} places without folds")
+        is_on = lambda: self.browser.run("return document.getElementById('places_switch').checked")
+        self.check(not is_on(), "places are marked without folds")
+        text = self.path.read_text()
+        chart, uv = json.loads(re.search(r'"kind":"worst","chart":(\d+)', text)[1]), "[0.4,0.55]"
+        fold = f'{{"kind":"fold","chart":{chart},"uv":{uv}}}'
+        changed = re.sub(r'"folds":0,"places":\[', f'"folds":20,"places":[{fold},{fold},', text)
+        path = self.path.with_name("folds.html")
+        path.write_text(changed)
+        self.browser.open(path)
+        said = self.browser.run("return document.getElementById('places').textContent")
+        self.check(buttons() == 3 and "turns over at 20 faces" in said and said.endswith("…"), f"places: {said}")
+        self.check(is_on(), "folds are not marked")
+        self.browser.run("document.querySelectorAll('#places button')[1].click()")
+        self.browser.settle()
+        rows = pixels(self.browser.screenshot("#panels", 1))
+        scale = len(rows[0]) / self.browser.run("return document.getElementById('panels').clientWidth")
+        for panel in 0, self.browser.run("return document.querySelectorAll('.panel').length") - 1:
+            left, top = self.browser.run("""const a = document.getElementById('panels').getBoundingClientRect(),
+                b = document.querySelectorAll('.panel')[arguments[0]].getBoundingClientRect();
+                return [b.left + b.width / 2 - a.left, b.top + b.height / 2 - a.top];""", panel)
+            square = [row[round((left - 15) * scale):round((left + 15) * scale)]
+                      for row in rows[round((top - 15) * scale):round((top + 15) * scale)]]
+            red = sum(r > 200 and g < 70 and b < 120 for row in square for r, g, b in row)
+            self.check(red > 20, f"view {panel} has {red} red pixels in the middle")
+
     def check_quiet(self):
         for line in self.browser.log():
             self.check(line["level"] not in ("SEVERE", "ERROR"), f"console: {line['message']}")
@@ -291,8 +321,7 @@ def main():
     with Browser(800, 560) as browser:
         for name, views in ("hand", 3), ("knot1", 4), ("three_peaks", 3):
             subprocess.run([fit_mesh, f"{meshes}/{name}.off", "-o", work / name, "--quiet"], check=True)
-            browser.open(work / name / "report.html")
-            page = Page(browser, name)
+            page = Page(browser, work / name / "report.html", name)
             page.check_panels(views)
             page.check_switches(of_surface)
             page.check_pointer_and_keys()
@@ -303,6 +332,7 @@ def main():
             page.check(len(cells) > 40 and plots >= 3, f"{len(cells)} figures and {plots} plots")
             page.check(sum(cell.endswith("% of the diagonal") for cell in cells) >= 8, f"no units: {cells}")
             page.check_times(work / name)
+            page.check_places()
 
         light = browser.run("return getComputedStyle(document.body).backgroundColor")
         browser.set_dark(True)
@@ -325,8 +355,7 @@ def main():
         bodies = work / "bodies.off"
         join(bodies, [pathlib.Path(meshes) / f"{name}.off" for name in ("torus_quad", "sphere")])
         subprocess.run([fit_mesh, bodies, "-o", work / "bodies", "--quiet"], check=True)
-        browser.open(work / "bodies" / "report.html")
-        page = Page(browser, "bodies")
+        page = Page(browser, work / "bodies" / "report.html", "bodies")
         page.check_panels(3)
         page.check_parts({"part-1": ["Unit sphere"], "part-2": ["Flat torus", "Ring torus"]})
         page.check_quiet()
@@ -334,8 +363,7 @@ def main():
         report = work / "map.html"
         subprocess.run([map_mesh, f"{meshes}/hand.off", "-o", work / "map.ply", "--report", report, "--quiet"],
                        check=True)
-        browser.open(report)
-        page = Page(browser, "map_mesh")
+        page = Page(browser, report, "map_mesh")
         page.check_panels(2)
         page.check_switches(of_map + ["shape"])
         page.check_quiet()

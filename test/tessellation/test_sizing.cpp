@@ -115,6 +115,17 @@ TEST_CASE("the chord error of the paraboloid is a quarter of the square of the c
   }
 }
 
+TEST_CASE("the chord error of triangles over the domain is the largest of their faces")
+{
+  const auto surface = ellipsoid(Vector(1, 2, 3));
+  const Sphere t(SM::Tile_grid<SM::Sphere_atlas>(4));
+  const double largest = SM::largest_chord_error(surface, t.domain_points(), t.triangles());
+  CHECK(largest == Approx(worst(SM::Chord_error(surface, 1., 1.), t)).epsilon(1e-14));
+  CHECK(largest > 0.01);
+  const SM::Triangle first = t.triangles()[0];
+  CHECK(SM::largest_chord_error(surface, t.domain_points(), {first}) <= largest);
+}
+
 TEST_CASE("edges are measured in space")
 {
   const auto surface = ellipsoid({1, 2, 3});

@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_COMPONENT_SURFACES_IO_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_COMPONENT_SURFACES_IO_H
 
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
 #include <CGAL/Simple_manifolds/IO/internal/Document_writer.h>
@@ -38,11 +40,15 @@ namespace Simple_manifolds {
 /// Writes the surfaces of components into one file, JSON or CBOR as `write_surface()`: the list `parts` of what
 /// `write_surface()` writes of each, with its `name`. Components without a surface are left out.
 /// \tparam AnySurface  an `Any_surface`
+/// \param np  those of `write_surface()`, for all
 /// \pre there is a surface; of each all splines have one degree, and finite coefficients
 /// \throw IO_error (`cannot_write`), std::bad_alloc; a file that was there before is then as it was
-template <class AnySurface>
-void write_surfaces(const std::string& file, const std::vector<Component<AnySurface>>& surfaces)
+template <class AnySurface, class NamedParameters = parameters::Default_named_parameters>
+void write_surfaces(const std::string& file, const std::vector<Component<AnySurface>>& surfaces,
+                    const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "rms_error");
+  const double tolerance = internal::tolerance_of_file(np);
   CGAL_precondition(number_of_values(surfaces) > 0);
   const bool is_cbor = internal::is_cbor_name(file);
   Atomic_file output(file);
@@ -54,8 +60,9 @@ void write_surfaces(const std::string& file, const std::vector<Component<AnySurf
   out.array(number_of_values(surfaces));
   for (const Component<AnySurface>& part : surfaces)
     if (part.has_value())
-      std::visit([&](const auto& surface) { internal::write_surface_object(out, surface, part.name); },
-                 part.value());
+      std::visit(
+        [&](const auto& surface) { internal::write_surface_object(out, surface, tolerance, part.name); },
+        part.value());
   if (!is_cbor) output.stream() << '\n';
   output.commit();
 }

@@ -8,13 +8,15 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_SURFACE_IO_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_SURFACE_IO_H
 
+#include <CGAL/Simple_manifolds/internal/named_parameters.h>
+
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
 #include <CGAL/Simple_manifolds/IO/internal/Document_writer.h>
 #include <CGAL/Simple_manifolds/IO/internal/Embedding_io.h>
 #include <CGAL/Simple_manifolds/IO/internal/Json_field.h>
-#include <CGAL/Simple_manifolds/IO/internal/file_contents.h>
 #include <CGAL/Simple_manifolds/IO/internal/atlas_numbers.h>
+#include <CGAL/Simple_manifolds/IO/internal/file_contents.h>
 #include <CGAL/Simple_manifolds/IO/internal/parse_document.h>
 #include <CGAL/Simple_manifolds/atlas/Bump_functions.h>
 #include <CGAL/Simple_manifolds/atlas/canonical_surfaces.h>
@@ -28,6 +30,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -49,6 +52,8 @@ struct Surface_header {
   std::string bump;   ///< `smoothstep`, `bspline` or `polynomial`
   int smoothness = 0; ///< of the bump
   int degree = 0;     ///< of the splines
+  /// The root mean square error that it was fitted to, fraction of the diagonal; 0: the file does not say it.
+  double tolerance = 0;
 };
 
 namespace internal {
@@ -69,8 +74,11 @@ inline Surface_header header_of_json(const Json_field& j)
     j.fail(std::string("no surface: the key \"format\" does not say \"") + surface_format + '"');
   if (j["version"].integer(0, 1 << 30) != surface_version)
     j["version"].fail("only version " + std::to_string(surface_version) + " can be read");
-  return {j["atlas"].text(), j["bump"]["type"].text(), j["bump"]["smoothness"].integer(0, 99),
-          j["degree"].integer(1, maximum_spline_degree)};
+  Surface_header header{j["atlas"].text(), j["bump"]["type"].text(), j["bump"]["smoothness"].integer(0, 99),
+                        j["degree"].integer(1, maximum_spline_degree)};
+  if (j.has("tolerance")) header.tolerance = j["tolerance"].number();
+  if (!(header.tolerance >= 0)) j["tolerance"].fail("a number from 0 on is expected");
+  return header;
 }
 
 template <class Atlas>
@@ -116,15 +124,24 @@ Surface surface_of_json(const Json_field& j, int share = 1)
   return Surface(std::move(embeddings), bump, atlas);
 }
 
-// The document of a surface, with its name if it is one of several.
+// The tolerance among the parameters of writers.
+template <class NamedParameters>
+double tolerance_of_file(const NamedParameters& np)
+{
+  const double tolerance = parameter(np, internal_np::rms_error, 0.);
+  CGAL_precondition(tolerance >= 0 && std::isfinite(tolerance));
+  return tolerance;
+}
+
+// The document of a surface, with its name if it is one of several. `tolerance`: none if it is 0.
 template <class Atlas, class ChartEmbedding, class Bump>
 void write_surface_object(Document_writer& out, const Manifold_surface<Atlas, ChartEmbedding, Bump>& surface,
-                          const std::optional<std::string>& name = std::nullopt)
+                          double tolerance, const std::optional<std::string>& name = std::nullopt)
 {
   using Io = Embedding_io<ChartEmbedding>;
   const int degree = Io::degree(surface.chart_embedding(0));
   const std::vector<Atlas_number> numbers = numbers_of(surface.atlas());
-  out.object(6 + numbers.size() + (name ? 1 : 0));
+  out.object(6 + numbers.size() + (name ? 1 : 0) + (tolerance > 0 ? 1 : 0));
   if (name) out.entry("name", valid_text(*name));
   out.entry("format", surface_format);
   out.entry("version", surface_version);
@@ -135,6 +152,7 @@ void write_surface_object(Document_writer& out, const Manifold_surface<Atlas, Ch
   out.entry("type", Bump::type);
   out.entry("smoothness", int(surface.bump().smoothness));
   out.entry("degree", degree);
+  if (tolerance > 0) out.entry("tolerance", tolerance);
   out.value("charts");
   out.array(surface.atlas().number_of_charts());
   for (int c = 0; c < surface.atlas().number_of_charts(); ++c) {
@@ -177,15 +195,25 @@ Any_surface<Bump, ChartEmbedding> any_surface_of_json(const Json_field& j, int s
 /// the name of the file ends in `.cbor`.
 ///
 /// \tparam ChartEmbedding  `Hierarchical_embedding` or `Patch_stack_embedding`
+/// \param np  named parameters
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{rms_error} \cgalParamDescription{the tolerance that the surface was fitted to, as the fit takes
+///     it: the file says it, so that programs know how fine a tessellation has to be, see `Surface_header`}
+///     \cgalParamType{`double`, not negative} \cgalParamDefault{0: the file says nothing} \cgalParamNEnd
+/// \cgalNamedParamsEnd
 /// \pre all splines have one degree, and finite coefficients
 /// \throw IO_error (`cannot_write`), std::bad_alloc; a file that was there before is then as it was
-template <class Atlas, class ChartEmbedding, class Bump>
-void write_surface(const std::string& file, const Manifold_surface<Atlas, ChartEmbedding, Bump>& surface)
+template <class Atlas, class ChartEmbedding, class Bump,
+          class NamedParameters = parameters::Default_named_parameters>
+void write_surface(const std::string& file, const Manifold_surface<Atlas, ChartEmbedding, Bump>& surface,
+                   const NamedParameters& np = parameters::default_values())
 {
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, "rms_error");
+  const double tolerance = internal::tolerance_of_file(np);
   const bool is_cbor = internal::is_cbor_name(file);
   Atomic_file output(file);
   internal::Document_writer out(output.stream(), is_cbor);
-  internal::write_surface_object(out, surface);
+  internal::write_surface_object(out, surface, tolerance);
   if (!is_cbor) output.stream() << '\n';
   output.commit();
 }

@@ -94,7 +94,9 @@ void write_report(const std::string& file, const Map& map, const nlohmann::order
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// The same with a surface that was fitted to the map: a third panel shows it, and the fit error, its
-/// curvatures and its control nets can be shown.
+/// curvatures and its control nets can be shown. Where the error is largest and where the surface turns over
+/// is marked in all panels. The triangles that are drawn are not farther from the surface than half the tolerance
+/// of the root mean square, unless these would be more than 100,000; the page says how far they are.
 /// \param report  of the fit
 template <class Map, class Surface>
 void write_report(const std::string& file, const Map& map, const Surface& surface, const Fit_report& report,

@@ -93,6 +93,41 @@ private:
   std::vector<Eigen::Vector3d> points_;
 };
 
+// Calls receive(i, d) for each of n faces with the largest distance d of its seven points, see `Chord_error`.
+// corner(i, k): of face i; domain_point(i, b): at barycentric coordinates in it
+template <class Surface, class Corner, class Domain_point, class Receive>
+void chord_errors(const Surface& surface, std::size_t n, const Corner& corner,
+                  const Domain_point& domain_point, const Receive& receive)
+{
+  static const std::array<Eigen::Vector3d, 7> places = {Eigen::Vector3d(.5, .5, 0),
+                                                        Eigen::Vector3d(0, .5, .5),
+                                                        Eigen::Vector3d(.5, 0, .5),
+                                                        Eigen::Vector3d(1. / 3, 1. / 3, 1. / 3),
+                                                        Eigen::Vector3d(2. / 3, 1. / 6, 1. / 6),
+                                                        Eigen::Vector3d(1. / 6, 2. / 3, 1. / 6),
+                                                        Eigen::Vector3d(1. / 6, 1. / 6, 2. / 3)};
+  std::vector<typename Surface::Domain_point> domain_points;
+  std::vector<Eigen::Vector3d> points;
+  constexpr std::size_t batch = 1 << 12; // bounds the memory
+  for (std::size_t first = 0; first < n; first += batch) {
+    const std::size_t last = (std::min)(n, first + batch);
+    domain_points.clear();
+    points.clear();
+    for (std::size_t i = first; i < last; ++i)
+      for (const Eigen::Vector3d& b : places) domain_points.push_back(domain_point(i, b));
+    surface.points(domain_points, std::back_inserter(points));
+    auto x = points.begin();
+    for (std::size_t i = first; i < last; ++i) {
+      double squared = 0;
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        const double d = squared_distance_to_triangle(*x++, corner(i, 0), corner(i, 1), corner(i, 2));
+        if (!(d <= squared) && !std::isnan(squared)) squared = d; // keeps what is not a number
+      }
+      receive(i, std::sqrt(squared));
+    }
+  }
+}
+
 } // namespace internal
 
 /// \ingroup PkgSimpleManifoldsTessellation
@@ -131,42 +166,44 @@ public:
   /// Sets `excess[i]` to the excess of face `faces[i]`, see `TessellationSizing`.
   void operator()(const Triangulation& t, const std::vector<int>& faces, std::vector<double>& excess) const
   {
-    static const std::array<Eigen::Vector3d, 7> places = {Eigen::Vector3d(.5, .5, 0),
-                                                          Eigen::Vector3d(0, .5, .5),
-                                                          Eigen::Vector3d(.5, 0, .5),
-                                                          Eigen::Vector3d(1. / 3, 1. / 3, 1. / 3),
-                                                          Eigen::Vector3d(2. / 3, 1. / 6, 1. / 6),
-                                                          Eigen::Vector3d(1. / 6, 2. / 3, 1. / 6),
-                                                          Eigen::Vector3d(1. / 6, 1. / 6, 2. / 3)};
     const internal::Corner_points<Surface> corner(*surface_, t, faces);
-    std::vector<typename Surface::Domain_point> domain_points;
-    std::vector<Eigen::Vector3d> points;
-    constexpr std::size_t batch = 1 << 12; // bounds the memory
-    for (std::size_t first = 0; first < faces.size(); first += batch) {
-      const std::size_t last = (std::min)(faces.size(), first + batch);
-      domain_points.clear();
-      points.clear();
-      for (std::size_t i = first; i < last; ++i)
-        for (const Eigen::Vector3d& b : places) domain_points.push_back(t.point(faces[i], b));
-      surface_->points(domain_points, std::back_inserter(points));
-      auto x = points.begin();
-      for (std::size_t i = first; i < last; ++i) {
-        const int f = faces[i];
-        double squared = 0;
-        for (std::size_t k = 0; k < places.size(); ++k) {
-          const double d =
-            internal::squared_distance_to_triangle(*x++, corner(f, 0), corner(f, 1), corner(f, 2));
-          if (!(d <= squared)) squared = d; // keeps what is not a number
-        }
-        excess[i] = std::sqrt(squared) / tolerance_;
-      }
-    }
+    internal::chord_errors(
+      *surface_, faces.size(), [&](std::size_t i, int k) -> const auto& { return corner(faces[i], k); },
+      [&](std::size_t i, const Eigen::Vector3d& b) { return t.point(faces[i], b); },
+      [&](std::size_t i, double error) { excess[i] = error / tolerance_; });
   }
 
 private:
   const Surface* surface_;
   double tolerance_;
 };
+
+/// \ingroup PkgSimpleManifoldsTessellation
+///
+/// How far a triangulation of the domain is from a surface: the largest chord error of its faces, see `Chord_error`, in the
+/// units of the surface; not a number where the surface is none.
+/// \param domain_points  the vertices
+/// \param triangles      positions in `domain_points`; small against the domain
+template <class Surface>
+double largest_chord_error(const Surface& surface,
+                           const std::vector<typename Surface::Domain_point>& domain_points,
+                           const std::vector<Triangle>& triangles)
+{
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(domain_points.size());
+  surface.points(domain_points, std::back_inserter(points));
+  double largest = 0;
+  internal::chord_errors(
+    surface, triangles.size(), [&](std::size_t f, int k) -> const auto& { return points[triangles[f][k]]; },
+    [&](std::size_t f, const Eigen::Vector3d& b) {
+      const Triangle& t = triangles[f];
+      return surface.atlas().interpolate(domain_points[t[0]], domain_points[t[1]], domain_points[t[2]], b);
+    },
+    [&](std::size_t, double error) {
+      if (!(error <= largest) && !std::isnan(largest)) largest = error;
+    });
+  return largest;
+}
 
 /// \ingroup PkgSimpleManifoldsTessellation
 ///

@@ -18,8 +18,7 @@
 #include <CGAL/Simple_manifolds/atlas/default_chart.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
-#include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
-#include <CGAL/Simple_manifolds/tessellation/tessellate.h>
+#include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -256,30 +255,29 @@ Report_mesh<typename Map::Atlas> report_mesh(const Map& map, const Face_distorti
   return mesh;
 }
 
-// A tessellation of a surface. The distortion of a triangle is that of the map at its centre.
+// Triangles of a surface over a triangulation of the domain. The distortion of a triangle is that of the map at its
+// centre.
 template <class Map, class Surface>
-Report_mesh<typename Map::Atlas> report_tessellation(const Map& map, const Surface& surface, int subdivisions,
+Report_mesh<typename Map::Atlas> report_tessellation(const Map& map, const Surface& surface,
+                                                     const Domain_triangulation<typename Map::Atlas>& t,
                                                      const Face_distortions& distortions)
 {
   const auto& atlas = map.atlas();
-  const Tile_grid<typename Map::Atlas> grid(subdivisions, atlas);
   std::vector<Jet> jets;
-  surface.template jets<1>(grid.domain_points(), std::back_inserter(jets));
-  std::vector<Eigen::Vector3d> points;
-  for (const Jet& e : jets) points.push_back(e.value);
+  surface.template jets<1>(t.domain_points(), std::back_inserter(jets));
   Report_mesh<typename Map::Atlas> mesh;
   Vertex_copies<int> vertices;
   int hint = -1;
-  for (const Triangle& t : triangulate(grid, points)) {
-    const auto centre = centre_of(atlas, grid.domain_points(), t);
-    hint = map.to_mesh(centre, hint).face;
+  for (int f = 0; f < t.number_of_faces(); ++f) {
+    const Triangle& corners = t.triangles()[f];
+    hint = map.to_mesh(centre_of(atlas, t.domain_points(), corners), hint).face;
     if (map.is_virtual(hint)) continue; // no part of the mesh
-    const int tile = atlas.tile(centre);
     Triangle triangle;
     for (int k = 0; k < 3; ++k)
-      triangle[k] = vertices.find(t[k], tile, [&] {
-        mesh.normals.push_back(normal(jets[t[k]]));
-        return mesh.add_vertex(atlas, tile, grid.domain_points()[t[k]], points[t[k]]);
+      triangle[k] = vertices.find(corners[k], t.tile(f), [&] {
+        const Jet& e = jets[corners[k]];
+        mesh.normals.push_back(normal(e));
+        return mesh.add_vertex(atlas, t.tile(f), t.domain_points()[corners[k]], e.value);
       });
     mesh.triangles.push_back(triangle);
     mesh.angle.push_back(distortions.angle[hint]);

@@ -14,9 +14,13 @@
 #include <CGAL/Simple_manifolds/IO/internal/report/Report_arrays.h>
 #include <CGAL/Simple_manifolds/IO/internal/report/Report_mesh.h>
 #include <CGAL/Simple_manifolds/IO/internal/report/control_cells.h>
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
+#include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
+#include <CGAL/Simple_manifolds/tessellation/refine_triangulation.h>
+#include <CGAL/Simple_manifolds/tessellation/sizing.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -27,6 +31,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -59,9 +64,16 @@ public:
   void add_surface(const Surface& surface, const Fit_report& report, Report_arrays& arrays,
                    const std::string& prefix = "")
   {
-    const int subdivisions = Tile_grid<typename Map::Atlas>::subdivisions_for(
-      share_ * std::clamp(double(map_.number_of_vertices()), 10000., 40000.), map_.atlas());
-    auto tessellation = report_tessellation(map_, surface, subdivisions, distortions_);
+    using Grid = Tile_grid<typename Map::Atlas>;
+    Domain_triangulation<typename Map::Atlas> triangulation(
+      Grid(Grid::subdivisions_for(share_ * std::clamp(double(map_.number_of_vertices()) / 2, 5000., 20000.),
+                                  map_.atlas()),
+           Tile_borders::EXACT, map_.atlas()));
+    const double chord_error = report.rms_tolerance > 0 ? report.rms_tolerance / 2 : 1e-3;
+    const Tessellation_report fineness =
+      refine_triangulation(triangulation, Chord_error<Surface>(surface, chord_error, unit()),
+                           static_cast<std::size_t>(share_ * most_faces));
+    auto tessellation = report_tessellation(map_, surface, triangulation, distortions_);
     tessellation.evaluate(map_, surface);
     tessellation.add_to(arrays, prefix + "surface", map_.atlas(), centre_, unit());
     mesh_.evaluate(map_, surface);
@@ -73,7 +85,10 @@ public:
     arrays.add_integers(prefix + "net.charts", charts);
 
     nlohmann::ordered_json fit = {{"rms_tolerance", report.rms_tolerance},
-                                  {"max_tolerance", report.max_tolerance}};
+                                  {"max_tolerance", report.max_tolerance},
+                                  {"chord_error", fineness.worst * chord_error},
+                                  {"folds", report.folds},
+                                  {"places", places_of(report)}};
     for (const Fit_report::Chart& c : report.charts)
       fit["charts"].push_back({{"controls", c.controls}, {"rms", c.rms_error}, {"max", c.max_error}});
     for (const Fit_report::Level& l : report.levels)
@@ -107,6 +122,42 @@ private:
     for (const Domain_shape<Atlas>& shape : domain_shapes(atlas))
       facts["shapes"].push_back({{"title", shape.title}, {"is_flat", shape.is_flat}});
     return facts;
+  }
+
+  // Where to look: where the error is largest, and where the surface turns over.
+  nlohmann::ordered_json places_of(const Fit_report& report) const
+  {
+    nlohmann::ordered_json places = nlohmann::ordered_json::array();
+    const auto add = [&](const char* kind, const typename Map::Domain_point& p) {
+      const int tile = map_.atlas().tile(p);
+      const Eigen::Vector2d uv = map_.atlas().coordinates(tile, p);
+      places.push_back({{"kind", kind}, {"chart", tile}, {"uv", {uv[0], uv[1]}}});
+    };
+    if (report.max_error > 0) add("worst", domain_point_of(report.worst_point));
+    for (const Fit_report::Fold& fold : report.fold_places)
+      add("fold", centre_of(map_.atlas(), map_.domain_points(), map_.face(fold.face)));
+    return places;
+  }
+
+  // Of the place that is nearest to x among those where errors are measured.
+  typename Map::Domain_point domain_point_of(const Eigen::Vector3d& x) const
+  {
+    typename Map::Domain_point found = map_.domain_point(0);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t f = 0; f < distortions_.angle.size(); ++f)
+      for (const double largest : {1., 2. / 3})
+        for (int k = 0; k < 3; ++k) {
+          Eigen::Vector3d b = Eigen::Vector3d::Constant((1 - largest) / 2);
+          b[k] = largest;
+          const Triangle& t = map_.face(f);
+          const double d =
+            (b[0] * map_.point(t[0]) + b[1] * map_.point(t[1]) + b[2] * map_.point(t[2]) - x).squaredNorm();
+          if (!(d < least)) continue;
+          least = d;
+          found = map_.atlas().interpolate(map_.domain_point(t[0]), map_.domain_point(t[1]),
+                                           map_.domain_point(t[2]), b);
+        }
+    return found;
   }
 
   double unit() const { return map_.diagonal() > 0 ? map_.diagonal() : 1; }
