@@ -9,11 +9,13 @@
 #include <cstddef>
 #include <iostream>
 #include <utility>
+#include <vector>
 
 namespace tools {
 
-Command_line::Command_line(std::string synopsis, std::string summary)
-  : synopsis_(std::move(synopsis)), summary_(std::move(summary)), options_("Options", 100)
+Command_line::Command_line(std::string synopsis, std::string summary, bool takes_several)
+  : synopsis_(std::move(synopsis)), summary_(std::move(summary)), takes_several_(takes_several),
+    options_("Options", 100)
 {
   add("output,o", po::value<std::string>(), "where to write (required)");
   add("method", po::value<std::string>()->default_value("certified"),
@@ -48,9 +50,14 @@ void Command_line::parse(int argc, char** argv)
 {
   namespace style = po::command_line_style;
   po::options_description all = options_;
-  all.add_options()("input", po::value<std::string>()->required(), "");
   po::positional_options_description positional;
-  positional.add("input", 1);
+  if (takes_several_) {
+    all.add_options()("inputs", po::value<std::vector<std::string>>(), "");
+    positional.add("inputs", -1);
+  } else {
+    all.add_options()("input", po::value<std::string>()->required(), "");
+    positional.add("input", 1);
+  }
   po::store(po::command_line_parser(argc, argv)
               .options(all)
               .positional(positional)
@@ -65,7 +72,7 @@ void Command_line::parse(int argc, char** argv)
     std::cout << "Simple_manifolds " << SIMPLE_MANIFOLDS_VERSION << ", CGAL " << CGAL_VERSION_STR << '\n';
     throw Done();
   }
-  if (!values_.count("input")) throw Usage_error("no INPUT is given");
+  if (!values_.count(takes_several_ ? "inputs" : "input")) throw Usage_error("no INPUT is given");
   const bool is_inspection = values_.count("inspect") && get<bool>("inspect");
   if (!values_.count("output") && !is_inspection) throw po::required_option("--output");
   po::notify(values_);

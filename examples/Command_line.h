@@ -21,10 +21,11 @@ struct Usage_error : std::runtime_error {
 /// What is thrown to end the program early without an error: after --help and --version.
 struct Done {};
 
-/// The command line: INPUT, and the options of both programs; each adds its own.
+/// The command line: INPUT, and the options of the programs; each adds its own.
 class Command_line {
 public:
-  Command_line(std::string synopsis, std::string summary);
+  /// \param takes_several  whether INPUT may be several files: "inputs"
+  Command_line(std::string synopsis, std::string summary, bool takes_several = false);
 
   void add(const char* name, const po::value_semantic* value, const char* help);
 
@@ -50,6 +51,7 @@ private:
   void limit_threads();
 
   std::string synopsis_, summary_;
+  bool takes_several_;
   po::options_description options_;
   po::variables_map values_;
 };

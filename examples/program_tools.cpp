@@ -58,10 +58,10 @@ long long peak_memory_in_bytes()
 
 } // namespace
 
-Input read_input(const Command_line& options)
+Input read_input(const Command_line& options, const std::string& file)
 {
   Input input;
-  input.file = options.get<std::string>("input");
+  input.file = file;
   input.topology = SM::read_mesh(input.file, input.mesh,
                                  SM::parameters::repair_options(repair_options(options))
                                    .repair_report(std::ref(input.repair))

@@ -149,7 +149,11 @@ struct Input {
 /// What --repair and --weld ask for.
 SM::Repair_options repair_options(const Command_line& options);
 
-Input read_input(const Command_line& options);
+Input read_input(const Command_line& options, const std::string& file);
+inline Input read_input(const Command_line& options)
+{
+  return read_input(options, options.get<std::string>("input"));
+}
 
 /// Whether two paths lead to the same file, or will when there is one.
 bool is_same_file(const std::string& a, const std::string& b);

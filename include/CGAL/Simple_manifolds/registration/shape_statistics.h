@@ -30,6 +30,19 @@
 namespace CGAL {
 namespace Simple_manifolds {
 
+/// \ingroup PkgSimpleManifoldsRegistration
+///
+/// A motion with a change of size: x goes to `to + scale rotation (x - from)`.
+struct Similarity {
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();         ///< goes to `to`
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();           ///< where `from` goes to
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity(); ///< of determinant 1
+  double scale = 1;                                       ///< positive
+
+  /// Where x goes to.
+  Eigen::Vector3d operator()(const Eigen::Vector3d& x) const { return to + scale * (rotation * (x - from)); }
+};
+
 namespace internal {
 
 // A third of the areas of the faces of each vertex, of sum 1.
@@ -54,14 +67,6 @@ inline Eigen::Vector3d weighted_mean(const std::vector<Eigen::Vector3d>& points,
   for (std::size_t v = 0; v < points.size(); ++v) mean += mass[v] * points[v];
   return mean;
 }
-
-// x -> to + scale rotation (x - from)
-struct Similarity {
-  Eigen::Vector3d from, to;
-  Eigen::Matrix3d rotation;
-  double scale;
-  Eigen::Vector3d operator()(const Eigen::Vector3d& x) const { return to + scale * (rotation * (x - from)); }
-};
 
 // What brings points nearest to others: a motion (Kabsch 1976), and a scale too where that is asked for (Umeyama 1991).
 template <class Scalar>
@@ -101,19 +106,21 @@ inline double spread(const std::vector<Eigen::Vector3d>& points, const std::vect
 /// Procrustes analysis (Gower 1975), with the vertices weighted by their areas. The first shape stays where it is; where
 /// sizes are changed, the mean size stays.
 /// \param has_scale  whether the sizes are brought to that of the mean, too
+/// \return what was done to each shape
 /// \tparam Scalar  of the computation
 /// \relates Common_mesh
 template <class Scalar = double>
-void align_shapes(Common_mesh& mesh, bool has_scale = false)
+std::vector<Similarity> align_shapes(Common_mesh& mesh, bool has_scale = false)
 {
-  if (mesh.number_of_shapes() < 2) return;
+  if (mesh.number_of_shapes() < 2) return std::vector<Similarity>(mesh.number_of_shapes());
+  const auto before = mesh.positions;
   const std::vector<double> mass = internal::vertex_masses(mesh.faces, mesh.positions[0]);
   const double share = 1 / static_cast<double>(mesh.number_of_shapes());
   const std::vector<double> equal(mesh.number_of_shapes(), share);
-  const auto apply = [](const internal::Similarity& f, std::vector<Eigen::Vector3d>& points) {
+  const auto apply = [](const Similarity& f, std::vector<Eigen::Vector3d>& points) {
     for (Eigen::Vector3d& x : points) x = f(x);
   };
-  const std::vector<Eigen::Vector3d> first = mesh.positions[0];
+  const std::vector<Eigen::Vector3d>& first = before[0];
   double size = 0; // of the mean, which scales must not let shrink
   for (const auto& x : mesh.positions) size += share * internal::spread(x, mass);
   std::vector<Eigen::Vector3d> mean = first;
@@ -130,8 +137,13 @@ void align_shapes(Common_mesh& mesh, bool has_scale = false)
     mean = std::move(next);
     if (change <= 1e-24 * size * size) break;
   }
-  const internal::Similarity back = internal::best_similarity<Scalar>(mesh.positions[0], first, mass, false);
-  for (auto& x : mesh.positions) apply(back, x);
+  const Similarity back = internal::best_similarity<Scalar>(mesh.positions[0], first, mass, false);
+  std::vector<Similarity> motions;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    apply(back, mesh.positions[i]);
+    motions.push_back(internal::best_similarity<Scalar>(before[i], mesh.positions[i], mass, has_scale));
+  }
+  return motions;
 }
 
 /// \ingroup PkgSimpleManifoldsRegistration
