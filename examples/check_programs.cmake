@@ -303,7 +303,7 @@ if(PART STREQUAL bad_input)
   # A ring of quads: two border loops.
   file(WRITE ${in}/loops.off "OFF\n8 4 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n2 1 0\n2 2 0\n1 2 0\n"
     "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n")
-  # Two tori of seven vertices, joined at a triangle: genus 2.
+  # Two tori of seven vertices, joined at a triangle, and a hole: genus 2, but not closed.
   set(faces "")
   foreach(i RANGE 6)
     foreach(pair "1;3" "3;2")
@@ -312,7 +312,9 @@ if(PART STREQUAL bad_input)
       math(EXPR j "(${i} + ${j}) % 7")
       math(EXPR k "(${i} + ${k}) % 7")
       if(NOT "${i} ${j} ${k}" STREQUAL "0 1 3")
-        string(APPEND faces "3 ${i} ${j} ${k}\n")
+        if(i GREATER 0)
+          string(APPEND faces "3 ${i} ${j} ${k}\n")
+        endif()
         set(mirrored "")
         foreach(v ${i} ${k} ${j}) # of the second torus: 2 4 5 6 become 7 8 9 10
           if(v EQUAL 2)
@@ -332,7 +334,7 @@ if(PART STREQUAL bad_input)
     math(EXPR cube "${i} * ${square}")
     string(APPEND points "${i} ${square} ${cube}\n")
   endforeach()
-  file(WRITE ${in}/genus2.off "OFF\n11 26 0\n${points}${faces}")
+  file(WRITE ${in}/genus2.off "OFF\n11 25 0\n${points}${faces}")
 
   file(MAKE_DIRECTORY ${WORK}/out ${WORK}/existing)
   foreach(row

@@ -60,15 +60,15 @@ Colour colour(double x)
 //! [checker]
 /// A checkerboard of 8 x 8 squares on each tile, in the coordinates of its chart.
 template <class Atlas>
-auto bake_checker(int texels)
+auto bake_checker(const Atlas& atlas, int texels)
 {
-  return SM::bake<Atlas>(texels, [](const typename Atlas::Domain_point& p) -> Colour {
-    const Atlas atlas;
+  const auto colour = [&atlas](const typename Atlas::Domain_point& p) -> Colour {
     const int c = atlas.best_chart(p);
     const Eigen::Vector2d uv = atlas.coordinates(c, p);
     const bool is_dark = (int(16 * uv[0]) + int(16 * uv[1])) % 2;
     return (is_dark ? 0.75 : 1) * SM::chart_colour(c);
-  });
+  };
+  return SM::bake<Atlas>(texels, colour, SM::Smoothstep_bump<2>(), atlas);
 }
 //! [checker]
 
@@ -123,7 +123,7 @@ Export export_of(const SM::Manifold_map<Atlas>& map, const Request& request, con
   const SM::Mesh_properties properties = SM::read_map_properties(file);
   SM::Charted_mesh mesh = SM::charted_mesh(map, SM::parameters::mesh_properties(std::cref(properties)));
   if (request.texture == "checker")
-    mesh.images = SM::png_images(bake_checker<Atlas>(request.texels));
+    mesh.images = SM::png_images(bake_checker(map.atlas(), request.texels));
   else if (request.texture != "none")
     throw po::error("the mesh of a map has only --texture checker");
   return {std::move(mesh), 0};
@@ -183,7 +183,7 @@ Export export_of(const SM::Manifold_surface<Atlas, ChartEmbedding, Bump>& surfac
   else if (request.texture == "curvature")
     result.mesh.images = SM::png_images(bake_curvature(surface, result.mesh, request.texels));
   else if (request.texture == "checker")
-    result.mesh.images = SM::png_images(bake_checker<Atlas>(request.texels));
+    result.mesh.images = SM::png_images(bake_checker(surface.atlas(), request.texels));
   return result;
 }
 

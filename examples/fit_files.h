@@ -91,7 +91,7 @@ std::pair<Json, SM::Charted_mesh> write_body(Job& job, const Map& map, const Sur
     SM::write_surface(file("surface.json"), surface, SM::parameters::rms_error(job.request.average));
     if (job.request.samples > 0)
       SM::write_samples(file("samples.csv"), surface,
-                        SM::random_domain_points<typename Map::Atlas>(job.request.samples));
+                        SM::random_domain_points(job.request.samples, 0, map.atlas()));
   });
   if (has_report)
     job.watch.time("report", [&] {

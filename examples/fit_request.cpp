@@ -13,7 +13,7 @@ Command_line fit_command_line()
     "fit_mesh INPUT -o DIR [options]",
     "Fits a smooth surface to a mesh (OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer, 3MF, COLLADA, with "
     "assimp\n"
-    "glTF; closed of genus 0 or 1, or a disk) and writes into DIR, with coordinates in the units of the "
+    "glTF; closed, or a disk) and writes into DIR, with coordinates in the units of the "
     "file:\n"
     "map.ply (a map that suits the fit: angles before areas), surface.json, surface.ply,\n"
     "metrics.json, report.html (all this for a browser) and, with --samples, samples.csv.\n"

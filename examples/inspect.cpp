@@ -257,7 +257,7 @@ int inspect(const Command_line& options)
   for (const Plan& p : plans)
     if (!p.has_repair || p.report.sentence() != plans[0].report.sentence()) table.add(p);
   if (command.empty())
-    table.line("command", "none of its parts has a canonical surface: they are square, sphere and torus");
+    table.line("command", "none of its parts has a canonical surface: they are for disks and closed bodies");
   else
     table.line("command", command);
   if (choice.served > 0 && choice.served < choice.parts())

@@ -79,9 +79,9 @@ int main(int argc, char** argv)
   return run("map_mesh", [&]() -> int {
     Command_line options(
       "map_mesh INPUT -o OUT.ply [options], or map_mesh INPUT --inspect [--json]",
-      "Maps a mesh (OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer, 3MF, COLLADA, with assimp glTF; closed of\n"
-      "genus 0 or 1, or a disk) one to one onto the unit sphere,\n"
-      "the flat torus or the unit square, and writes the map. Of several bodies each has its map: the "
+      "Maps a mesh (OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer, 3MF, COLLADA, with assimp glTF; closed,\n"
+      "or a disk) one to one onto the unit sphere, the flat torus, a surface of\n"
+      "hyperbolic squares (genus 2 and more) or the unit square, and writes the map. Of several bodies each has its map: the "
       "largest\n"
       "in OUT.ply, the others in OUT.2.ply, OUT.3.ply, ...\n"
       "Exit status: 0 success, 1 some bodies could not be mapped (the others are written), 2 usage, or the\n"

@@ -20,6 +20,7 @@
 #include <CGAL/Simple_manifolds/correspondence/distortion_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/inspect_mesh_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/closed_triangles_impl.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_hyperbolic_surface_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_plane_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_sphere_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/map_to_torus_impl.h>

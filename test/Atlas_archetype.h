@@ -108,6 +108,7 @@ public:
 
   // None is made without its numbers.
   explicit Atlas(const std::array<int, 2>& numbers) : columns_(numbers[0]), rows_(numbers[1]) {}
+  static bool accepts(const std::array<int, 2>& numbers) { return numbers[0] >= 3 && numbers[1] >= 3; }
   std::array<int, 2> numbers() const { return {{columns_, rows_}}; }
 
   int genus() const { return 1; }

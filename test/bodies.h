@@ -114,6 +114,14 @@ inline Body pretzel()
   return cubes(5, 3, [](int i, int j) { return j != 1 || i % 2 == 0; });
 }
 
+/// The same without a triangle: no canonical surface has a handle and a border.
+inline Body open_pretzel()
+{
+  Body body = pretzel();
+  body.triangles.pop_back();
+  return body;
+}
+
 /// A sphere of radius r: 12 n n triangles, outward oriented.
 inline Body sphere(int n, double r = 1)
 {

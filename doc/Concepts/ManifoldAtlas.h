@@ -105,7 +105,8 @@ public:
   static constexpr std::array<const char*, N> coordinate_names;
 
   /// Optional: the keys in files of the numbers that the object is made from, e.g. `genus`. Then there are also a member
-  /// `numbers()` that returns them as `std::array<int, N>`, and a constructor that takes them.
+  /// `numbers()` that returns them as `std::array<int, N>`, a static member `accepts()` that tells whether there is an
+  /// object with such numbers, and a constructor that takes those.
   static constexpr std::array<const char*, N> number_keys;
 
   /// @}

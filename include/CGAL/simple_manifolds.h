@@ -51,6 +51,7 @@
 #include <CGAL/Simple_manifolds/correspondence/map_components.h>
 #include <CGAL/Simple_manifolds/correspondence/map_properties.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_hyperbolic_surface.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_plane.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_torus.h>

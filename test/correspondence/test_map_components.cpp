@@ -37,10 +37,10 @@ Mesh mesh_of(const bodies::Body& body)
 
 const Vector3d right(10, 0, 0);
 
-// The smallest first: a disk, a pretzel, a torus, a sphere.
+// The smallest first: a disk, a pretzel with a hole in its skin, a torus, a sphere.
 bodies::Body four_bodies()
 {
-  return bodies::together({bodies::disk(4), bodies::moved(bodies::pretzel(), right),
+  return bodies::together({bodies::disk(4), bodies::moved(bodies::open_pretzel(), right),
                            bodies::moved(bodies::torus(12, 8), 2 * right),
                            bodies::moved(bodies::sphere(5), 3 * right)});
 }
@@ -121,7 +121,7 @@ TEST_CASE("Each component is mapped as if it were alone")
   const auto maps = SM::map_components(mesh);
   REQUIRE(maps.size() == 4);
   const std::vector<bodies::Body> alone = {bodies::moved(bodies::sphere(5), 3 * right),
-                                           bodies::moved(bodies::torus(12, 8), 2 * right), bodies::pretzel(),
+                                           bodies::moved(bodies::torus(12, 8), 2 * right), bodies::open_pretzel(),
                                            bodies::disk(4)};
   const std::vector<bool> has_map = {true, true, false, true};
   for (std::size_t k = 0; k < 4; ++k) {

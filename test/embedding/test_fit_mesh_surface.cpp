@@ -55,7 +55,7 @@ TEST_CASE("Each component has a surface of its own, or its error")
   using Point = CGAL::Simple_cartesian<double>::Point_3;
   using Mesh = CGAL::Surface_mesh<Point>;
   const Eigen::Vector3d right(10, 0, 0);
-  const bodies::Body body = bodies::together({bodies::disk(3), bodies::moved(bodies::pretzel(), right),
+  const bodies::Body body = bodies::together({bodies::disk(3), bodies::moved(bodies::open_pretzel(), right),
                                               bodies::moved(bodies::torus(12, 8), 2 * right),
                                               bodies::moved(bodies::sphere(5), 3 * right)});
   Mesh mesh;

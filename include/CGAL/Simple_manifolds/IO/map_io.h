@@ -110,12 +110,14 @@ Manifold_map<Atlas> map_of_ply(Ply_file& ply, const std::string& file)
       ply.fail("virtual_faces is " + text + ", but there are " + std::to_string(faces.size()) + " faces");
     virtual_faces = std::size_t(n);
   }
-  const Atlas atlas = atlas_of_numbers<Atlas>([&](const char* key) {
-    const std::string text = value_of_comment(ply, key);
-    const long long n = Text_scanner(file, text, false).integer(text, std::string("the number of ") + key);
-    if (n < 0 || n > 1 << 30) ply.fail(std::string(key) + " is " + text);
-    return static_cast<int>(n);
-  });
+  const Atlas atlas = atlas_of_numbers<Atlas>(
+    [&](const char* key) {
+      const std::string text = value_of_comment(ply, key);
+      const long long n = Text_scanner(file, text, false).integer(text, std::string("the number of ") + key);
+      if (n < 0 || n > 1 << 30) ply.fail(std::string(key) + " is " + text);
+      return static_cast<int>(n);
+    },
+    [&](const std::string& message) { ply.fail(message); });
   try {
     return Manifold_map<Atlas>(std::move(mesh.points), std::move(faces), std::move(domain_points), inputs,
                                virtual_faces, std::move(input), atlas);

@@ -84,7 +84,8 @@ inline Surface_header header_of_json(const Json_field& j)
 template <class Atlas>
 Atlas atlas_of_json(const Json_field& j)
 {
-  return atlas_of_numbers<Atlas>([&j](const char* key) { return j[key].integer(0, 1 << 30); });
+  return atlas_of_numbers<Atlas>([&j](const char* key) { return j[key].integer(0, 1 << 30); },
+                                 [&j](const std::string& message) { j.fail(message); });
 }
 
 // The bump of a file: the smoothness of most is part of their type.

@@ -25,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -121,9 +122,10 @@ public:
   Chart_list charts_at(const Domain_point& p) const
   {
     Chart_list list;
-    for_each_chart_at(p, [&](int c, const Eigen::Vector2d& x) { list.push_back({c, Chart::scaled(x)}); });
-    std::sort(list.begin(), list.end(),
-              [](const Chart_point& a, const Chart_point& b) { return a.chart < b.chart; });
+    for_each_chart_at(p, [&](int c, const Eigen::Vector2d& x) {
+      insert(list, Chart_point{c, Chart::scaled(x)},
+             [](const Chart_point& a, const Chart_point& b) { return a.chart < b.chart; });
+    });
     return list;
   }
 
@@ -131,8 +133,7 @@ public:
   Chart_numbers chart_numbers_at(const Domain_point& p) const
   {
     Chart_numbers list;
-    for_each_chart_at(p, [&](int c, const Eigen::Vector2d&) { list.push_back(c); });
-    std::sort(list.begin(), list.end());
+    for_each_chart_at(p, [&](int c, const Eigen::Vector2d&) { insert(list, c, std::less<int>()); });
     return list;
   }
 
@@ -470,6 +471,14 @@ private:
 
   // The same point of a side, or of a corner, in the lowest of the tiles that have it: exact.
   Domain_point lowest(const Domain_point& p) const;
+
+  // Into a sorted list.
+  template <class List, class T, class Less>
+  static void insert(List& list, const T& item, const Less& less)
+  {
+    list.push_back(item);
+    for (T* x = list.end() - 1; x != list.begin() && less(*x, *(x - 1)); --x) std::swap(*x, *(x - 1));
+  }
 
   // Whether a view from a tile is one of another tile.
   bool sees(const Tiling::View& view, int tile, int other) const

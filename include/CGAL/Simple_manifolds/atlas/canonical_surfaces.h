@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_ATLAS_CANONICAL_SURFACES_H
 #define CGAL_SIMPLE_MANIFOLDS_ATLAS_CANONICAL_SURFACES_H
 
+#include <CGAL/Simple_manifolds/atlas/Hyperbolic_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
@@ -68,7 +69,8 @@ struct Atlas_list {
 ///
 /// The canonical surfaces of the package. A new one needs its atlas, a geometry for the engine that lays meshes out on
 /// it (`LayoutGeometry`), and its place in this list.
-#define CGAL_SIMPLE_MANIFOLDS_FOR_EACH_ATLAS(X) X(Plane_atlas) X(Sphere_atlas) X(Torus_atlas)
+#define CGAL_SIMPLE_MANIFOLDS_FOR_EACH_ATLAS(X)                                                              \
+  X(Plane_atlas) X(Sphere_atlas) X(Torus_atlas) X(Hyperbolic_atlas)
 
 namespace internal {
 

@@ -14,6 +14,7 @@
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 
 #include <optional>
+#include <string>
 #include <utility>
 
 /// \file
@@ -48,10 +49,9 @@ Any_map with_canonical_surface(const Mesh_topology& topology, const Function& f)
   // A mesh with holes is refused by the surface that it would have otherwise.
   const long genus = topology.is_closed() ? topology.genus : 0;
   if (!Canonical_surfaces::visit_topology(topology.is_closed(), genus, call))
-    throw Topology_error(
-      Error_code::wrong_genus,
-      topology.sentence() +
-        ": there are canonical surfaces for genus 0, the sphere, and genus 1, the torus, only");
+    throw Topology_error(Error_code::wrong_genus,
+                         topology.sentence() + ": there is a canonical surface for each genus up to " +
+                           std::to_string(Hyperbolic_atlas::largest_genus) + " only");
   return std::move(*map);
 }
 

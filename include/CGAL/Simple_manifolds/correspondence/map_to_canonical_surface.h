@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/internal/concepts.h>
 #include <CGAL/Simple_manifolds/internal/named_parameters.h>
 
+#include <CGAL/Simple_manifolds/correspondence/map_to_hyperbolic_surface.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_plane.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_torus.h>

@@ -56,12 +56,14 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void require_disk(const Mesh_topology& topology)
   };
   if (!topology.is_connected()) fail(Error_code::several_components, "is connected");
   if (topology.is_closed()) fail(Error_code::no_border, "has a border");
-  // The surfaces that there are once borders are closed: the disk of the longest one, the sphere, the torus.
+  // The surfaces that there are once borders are closed: the disk of the longest one, or a closed one.
   const std::string help =
     topology.genus == 0
-      ? "; Close_borders::INNER closes all but the longest (in programs: --close-borders inner)"
-    : topology.genus == 1 ? "; Close_borders::ALL makes it a torus (in programs: --close-borders all)"
-                          : "";
+      ? std::string("; Close_borders::INNER closes all but the longest (in programs: --close-borders inner)")
+      : "; Close_borders::ALL makes it " +
+          (topology.genus == 1 ? std::string("a torus")
+                               : "a closed surface of genus " + std::to_string(topology.genus)) +
+          " (in programs: --close-borders all)";
   if (topology.border_loops != 1) fail(Error_code::several_border_loops, "has one border loop" + help);
   if (topology.genus != 0) fail(Error_code::wrong_genus, "has genus 0" + help);
 }

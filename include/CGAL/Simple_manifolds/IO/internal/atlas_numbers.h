@@ -41,13 +41,20 @@ std::vector<Atlas_number> numbers_of([[maybe_unused]] const Atlas& atlas)
   return numbers;
 }
 
-// The atlas with the numbers number(key); the same for all others of its type.
-template <class Atlas, class Number>
-Atlas atlas_of_numbers([[maybe_unused]] const Number& number)
+// The atlas with the numbers number(key); the same for all others of its type. fail(message), which throws, if there is
+// none with these numbers.
+template <class Atlas, class Number, class Fail>
+Atlas atlas_of_numbers([[maybe_unused]] const Number& number, [[maybe_unused]] const Fail& fail)
 {
   if constexpr (has_numbers<Atlas>) {
     auto values = decltype(std::declval<const Atlas&>().numbers()){};
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = number(Atlas::number_keys[i]);
+    if (!Atlas::accepts(values)) {
+      std::string message = std::string("there is no ") + Atlas::name + " surface with";
+      for (std::size_t i = 0; i < values.size(); ++i)
+        message += std::string(" ") + Atlas::number_keys[i] + " " + std::to_string(values[i]);
+      fail(message);
+    }
     return Atlas(values);
   } else {
     return Atlas();

@@ -30,6 +30,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -253,7 +254,12 @@ Any_map map_by_partition(const Mesh_arrays& arrays, const NamedParameters& np)
     parameter(np, internal_np::projection_weights, Projection_weights::CENTROID);
 
   return with_canonical_surface(arrays.topology, [&](auto type) -> Any_map {
-    return Partition_mapper<typename decltype(type)::Atlas>(arrays, weights, report).run(visitor);
+    using Atlas = typename decltype(type)::Atlas;
+    if constexpr (std::is_same_v<Atlas, Hyperbolic_atlas>)
+      throw Topology_error(Error_code::wrong_genus,
+                           arrays.topology.sentence() + ": the paper has partitions for genus 0 and 1 only");
+    else
+      return Partition_mapper<Atlas>(arrays, weights, report).run(visitor);
   });
 }
 
@@ -299,8 +305,8 @@ Any_mesh_map<FaceListGraph> map_by_partition(const FaceListGraph& mesh,
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
   auto [vertex, arrays] = internal::numbered_mesh(mesh, np);
   Any_map map = internal::map_by_partition(arrays, np);
-  return internal::with_mesh(std::move(map), std::make_shared<const internal::Mesh_elements<FaceListGraph>>(
-                                               mesh, std::move(vertex)));
+  return internal::with_mesh(
+    std::move(map), std::make_shared<const internal::Mesh_elements<FaceListGraph>>(mesh, std::move(vertex)));
 }
 
 } // namespace Simple_manifolds

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MARKING_HARMONIC_MAP_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MARKING_HARMONIC_MAP_H
+
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/Corner_table.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/marking/hyperboloid.h>
+
+#include <Eigen/Core>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+using Long_isometry = Integer_isometry<boost::multiprecision::cpp_int>;
+
+// A small closed triangulated surface, the first vertices and faces of a corner table, mapped to the hyperbolic surface:
+// vertices have a tile and a position in its frame; half-edges the change of frame from their targets' tiles to their
+// origins', whose product round a face is the identity. These are the homotopy class; they may have any length.
+//
+// The map minimises the sum of w d^2 / 2 over the edges. With positive weights, and where the genus is that of the
+// surface and the class one of a homeomorphism, the minimum has positive faces only (Colin de Verdiere 1991).
+class Harmonic_map {
+public:
+  using Point = hyperboloid::Point;
+  using Tile = hyperboloid::Tile;
+  using Change = std::pair<int, Long_isometry>; // of a half-edge and its opposite
+
+  // What a search sets aside.
+  struct State {
+    std::vector<Long_isometry> deck;
+    std::vector<Eigen::Matrix3d> scaled;
+    std::vector<Point> position;
+    std::vector<Tile> tile;
+    double energy = 0;
+  };
+
+  // weight: per half-edge, positive, the same for both of an edge.
+  Harmonic_map(const Corner_table& table, int vertices, int faces, int copies, std::vector<double> weight)
+    : table_(&table), vertices_(vertices), half_edges_(3 * faces), copies_(copies), weight_(std::move(weight))
+  {
+  }
+
+  const Corner_table& table() const { return *table_; }
+  int number_of_vertices() const { return vertices_; }
+  int number_of_half_edges() const { return half_edges_; }
+  const Long_isometry& deck(int h) const { return state_.deck[h]; }
+  const Point& position(int v) const { return state_.position[v]; }
+  const Tile& tile(int v) const { return state_.tile[v]; }
+  double weight(int h) const { return weight_[h]; }
+  // Of the vertices that were moved so far: what the map has cost.
+  std::size_t work() const { return work_; }
+
+  const State& state() const { return state_; }
+  void set_state(const State& s) { state_ = s; }
+  void set_decks(std::vector<Long_isometry> deck, std::vector<Tile> tile, std::vector<Point> position)
+  {
+    state_.deck = std::move(deck);
+    state_.tile = std::move(tile);
+    state_.position = std::move(position);
+    state_.scaled.resize(half_edges_);
+    for (int h = 0; h < half_edges_; ++h) state_.scaled[h] = hyperboloid::scaled(state_.deck[h]);
+    update_energy();
+  }
+  void apply(const std::vector<Change>& changes)
+  {
+    for (const auto& [h, deck] : changes) set_deck(h, deck);
+  }
+
+  // The target of a half-edge as its origin sees it.
+  Point seen(int h) const { return state_.scaled[h] * state_.position[table_->target(h)]; }
+  static double half_squared_distance(double cosh)
+  {
+    if (!(cosh > 1)) return 0;
+    const double d = std::acosh(cosh);
+    return d * d / 2;
+  }
+  double edge_energy(int h) const
+  {
+    return weight_[h] * half_squared_distance(-hyperboloid::product(position(table_->origin(h)), seen(h)));
+  }
+  double energy() const { return state_.energy; }
+
+  // Sweeps of steps towards the neighbours' means, at most so many, until no step is longer than the tolerance. Returns
+  // the longest one of the last sweep.
+  double relax(int sweeps, double tolerance)
+  {
+    double longest = 0;
+    for (int i = 0; i < sweeps; ++i) {
+      longest = 0;
+      for (int v = 0; v < vertices_; ++v) longest = (std::max)(longest, move(v));
+      work_ += vertices_;
+      if (longest < tolerance) break;
+    }
+    update_energy();
+    return longest;
+  }
+
+  int number_of_bad_faces() const
+  {
+    int bad = 0;
+    for (int h = 0; h < half_edges_; h += 3) {
+      const Point &p = position(table_->origin(h)), a = seen(h), b = seen(table_->rotate(h));
+      bad += !(p.dot((a - p).cross(b - p)) > 0);
+    }
+    return bad;
+  }
+
+  double longest_edge() const // its cosh
+  {
+    double longest = 1;
+    for (int h = 0; h < half_edges_; ++h)
+      longest = (std::max)(longest, -hyperboloid::product(position(table_->origin(h)), seen(h)));
+    return longest;
+  }
+
+private:
+  void update_energy()
+  {
+    double sum = 0;
+    for (int h = 0; h < half_edges_; ++h)
+      if (h < table_->opposite(h)) sum += edge_energy(h);
+    state_.energy = sum;
+  }
+
+  void set_deck(int h, const Long_isometry& deck)
+  {
+    const int o = table_->opposite(h);
+    state_.deck[h] = deck;
+    state_.deck[o] = deck.inverse();
+    state_.scaled[h] = hyperboloid::scaled(state_.deck[h]);
+    state_.scaled[o] = hyperboloid::scaled(state_.deck[o]);
+  }
+
+  double move(int v)
+  {
+    Point& p = state_.position[v];
+    Point sum(0, 0, 0);
+    table_->for_each_outgoing(table_->outgoing(v), [&](int h) {
+      const Point q = seen(h);
+      const double c = -hyperboloid::product(p, q);
+      sum += weight_[h] * (c > 1.0001 ? std::acosh(c) / std::sqrt(c * c - 1) : 1) * q; // d / sinh d
+    });
+    const double height = -hyperboloid::product(sum, p);
+    const Point tangent = sum - height * p;
+    const double length = std::sqrt((std::max)(0., hyperboloid::product(tangent, tangent)));
+    if (!(length > 0) || !(height > 0) || !std::isfinite(length)) return 0;
+    double step = length < 0.8 * height ? std::atanh(length / height) : 1.;
+    step = (std::min)(step < 0.5 ? 1.4 * step : step, 1.);
+    p = hyperboloid::unit(std::cosh(step) * p + std::sinh(step) / length * tangent);
+    bring_into_tile(v);
+    return step;
+  }
+
+  void bring_into_tile(int v)
+  {
+    Point& p = state_.position[v];
+    for (int side; (side = hyperboloid::side_beyond(p, 1 + 1e-9)) != -1;) {
+      const Long_isometry step = Square_tiling::step(side).cast<boost::multiprecision::cpp_int>();
+      const Long_isometry back = step.inverse();
+      p = hyperboloid::unit(hyperboloid::scaled(back) * p);
+      state_.tile[v] = state_.tile[v].beyond(side, copies_);
+      table_->for_each_outgoing(table_->outgoing(v), [&](int h) { set_deck(h, back * state_.deck[h]); });
+    }
+  }
+
+  const Corner_table* table_;
+  int vertices_, half_edges_, copies_;
+  std::vector<double> weight_;
+  State state_;
+  std::size_t work_ = 0;
+};
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MARKING_HARMONIC_MAP_H

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MAP_TO_HYPERBOLIC_SURFACE_IMPL_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MAP_TO_HYPERBOLIC_SURFACE_IMPL_H
+
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/Hyperbolic_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/Hyperbolic_faces.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/certified_map.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/lifted_faces.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_hyperbolic_surface.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+// Where the vertices lie, and the faces.
+struct Hyperbolic_placement {
+  std::vector<Eigen::Vector3d> domain_points;
+  std::vector<Hyperbolic_faces::Face> faces;
+};
+
+// (tile,u,v), u and v multiples of 2^-52.
+inline Eigen::Vector3d tile_point_of(const hyperboloid::Tile& tile, const Eigen::Vector3d& p)
+{
+  const auto coordinate = [&p](int i) {
+    const double x = std::ldexp(std::round(std::ldexp(hyperboloid::root_3 * p[i] / p[2], 52)), -52);
+    return (std::min)((std::max)(x, -1.), 1.);
+  };
+  return {double(tile.number()), coordinate(0), coordinate(1)};
+}
+
+template <class Geometry>
+Manifold_map<Hyperbolic_atlas> map_to_hyperbolic_surface(const Mesh_arrays& a, const Map_request& request)
+{
+  const long genus = a.topology.genus;
+  require_closed_genus(a.topology, Hyperbolic_atlas::suits(true, genus) ? static_cast<int>(genus) : 2);
+  const int n = static_cast<int>(a.points.size()), m = static_cast<int>(a.triangles.size());
+  const Hyperbolic_atlas atlas(static_cast<int>(genus));
+  const Layout_problem<Eigen::Vector3d> problem{a.points, a.triangles, -1, a.vertex_weight};
+  return certified_map<Hyperbolic_atlas>(
+    problem, request, [n, m, &atlas](const std::vector<int>&) { return Geometry(n, m, atlas.genus()); },
+    [&](const Collapse_hierarchy& mesh, Geometry& geometry, const auto& number) {
+      geometry.finish(mesh);
+      Hyperbolic_placement placed{std::vector<Eigen::Vector3d>(n), {}};
+      for (int v = 0; v < n; ++v)
+        placed.domain_points[v] = tile_point_of(geometry.tile(number(v)), geometry.position(number(v)));
+      for (const Triangle& t : a.triangles) { // in the frames of their first corners
+        const int h = half_edge_between(mesh.table(), number(t[0]), number(t[1]));
+        placed.faces.push_back({Hyperbolic_faces::Corner{t[0], Tile_isometry()},
+                                Hyperbolic_faces::Corner{t[1], geometry.deck(h)},
+                                Hyperbolic_faces::Corner{t[2], geometry.deck(mesh.table().rotate(h))}});
+      }
+      return placed;
+    },
+    [&](Hyperbolic_placement&& placed) {
+      auto& [domain_points, faces] = placed;
+      std::vector<Eigen::Vector3d> points = a.points;
+      std::size_t number_of_virtual_faces = a.number_of_virtual_faces;
+      std::vector<int> parents =
+        Hyperbolic_faces(atlas, points, domain_points).split_long_edges(faces, number_of_virtual_faces);
+      if (points.size() == a.points.size())
+        return Manifold_map<Hyperbolic_atlas>(a.points, a.triangles, std::move(domain_points),
+                                              a.number_of_input_vertices, a.number_of_virtual_faces, a.input,
+                                              atlas);
+      parents.resize(faces.size() - number_of_virtual_faces);
+      return Manifold_map<Hyperbolic_atlas>(
+        std::move(points), Hyperbolic_faces::triangles(faces), std::move(domain_points),
+        a.number_of_input_vertices, number_of_virtual_faces, a.input.of_parts(std::move(parents)), atlas);
+    });
+}
+
+#ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
+CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Manifold_map<Hyperbolic_atlas>
+map_to_hyperbolic_surface<Hyperbolic_geometry>(const Mesh_arrays&, const Map_request&);
+#endif
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MAP_TO_HYPERBOLIC_SURFACE_IMPL_H
