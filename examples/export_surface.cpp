@@ -1,5 +1,8 @@
 // Writes surfaces or the meshes of maps, as fit_mesh leaves them, in a format that other programs read: OBJ with
-// materials, binary glTF, VTK, PLY; with images of their normals, their curvature or a checkerboard.
+// materials, binary glTF, VTK, PLY; with images of their normals, their curvature or a checkerboard. Surfaces also as
+// CAD systems have them: STEP.
+
+#include "cad_export.h"
 
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
 #include <CGAL/Simple_manifolds/IO/chart_colour.h>
@@ -41,6 +44,8 @@ struct Request {
   int texels;
   double chord_error; // 0: none
   std::size_t parts = 1;
+  bool is_step;
+  tools::Cad_request cad; // for STEP
 };
 
 /// What is written, and how far its triangles are from the surfaces, as a fraction of their diagonals.
@@ -218,11 +223,22 @@ Export export_of_parts(const std::vector<SM::Component<Value>>& parts, Request r
 
 bool is_map(const Request& request) { return std::filesystem::path(request.input).extension() == ".ply"; }
 
-/// The surfaces of fit_mesh are hierarchical, and their fine grids take little memory as such; those of the paper's
-/// method are stacks of patches.
-Export export_of_file(Request request)
+/// Calls f with the surfaces of a file. Those of fit_mesh are hierarchical, and their fine grids take little memory as
+/// such; those of the paper's method are stacks of patches.
+template <class Function>
+auto visit_surfaces(const std::string& file, const Function& f)
 {
   using Bump = SM::Any_smoothstep_bump;
+  SM::Component_surfaces<Bump> hierarchical;
+  try {
+    hierarchical = SM::read_surfaces<Bump>(file);
+  } catch (const SM::IO_error&) { // they may be stacks
+  }
+  return hierarchical.empty() ? f(SM::read_surfaces<Bump, SM::Patch_stack_embedding>(file)) : f(hierarchical);
+}
+
+Export export_of_file(Request request)
+{
   if (is_map(request)) {
     if (!request.map.empty()) throw po::error("only a surface has --map");
     return export_of_parts(SM::read_maps(request.input), request, request.input);
@@ -231,15 +247,46 @@ Export export_of_file(Request request)
     const double tolerance = SM::read_surface_header(request.input).tolerance;
     request.chord_error = tolerance > 0 ? (std::max)(tolerance / 2, 1e-6) : 1e-3;
   }
-  SM::Component_surfaces<Bump> hierarchical;
-  try {
-    hierarchical = SM::read_surfaces<Bump>(request.input);
-  } catch (const SM::IO_error&) { // they may be stacks
+  return visit_surfaces(request.input,
+                        [&](const auto& parts) { return export_of_parts(parts, request, request.map); });
+}
+
+//! [step]
+/// Writes the surfaces of a file as the bodies of a STEP file.
+/// \return the exit status: 1 if a tolerance was not reached
+int write_step(Request request)
+{
+  if (request.cad.cad.tolerance == 0) {
+    const double tolerance = SM::read_surface_header(request.input).tolerance;
+    request.cad.cad.tolerance = tolerance > 0 ? std::clamp(tolerance / 2, 1e-7, 1.) : 1e-3;
   }
-  return hierarchical.empty()
-           ? export_of_parts(SM::read_surfaces<Bump, SM::Patch_stack_embedding>(request.input), request,
-                             request.map)
-           : export_of_parts(hierarchical, request, request.map);
+  tools::Cad_parts parts;
+  visit_surfaces(request.input, [&](const auto& surfaces) {
+    for (const auto& part : surfaces) {
+      const std::string name = surfaces.size() == 1 ? request.cad.name : request.cad.name + ' ' + part.name;
+      std::visit([&](const auto& s) { tools::add_cad_part(s, name, request.cad.cad, parts); }, part.value());
+    }
+  });
+  SM::write_step(request.output, parts.bodies, request.cad.step);
+  //! [step]
+  std::cout << tools::cad_figures(request.output, parts);
+  tools::Json metrics = tools::Json::array();
+  int status = 0;
+  for (std::size_t k = 0; k < parts.bodies.size(); ++k) {
+    const SM::Cad_report& report = parts.reports[k];
+    metrics.push_back(tools::metrics_of_cad(report, request.cad.cad, request.cad.step));
+    metrics.back()["name"] = parts.bodies[k].name;
+    if (!report.tolerance_reached) status = 1;
+    for (const std::string& warning : tools::cad_warnings(report, request.cad.cad, request.cad.step))
+      std::cerr << "export_surface: " << (parts.bodies.size() > 1 ? parts.bodies[k].name + ": " : "")
+                << warning << std::endl;
+  }
+  if (!request.cad.metrics.empty()) {
+    SM::Atomic_file file(request.cad.metrics);
+    file.stream() << tools::Json{{"bodies", metrics}}.dump(2) << '\n';
+    file.commit();
+  }
+  return status;
 }
 
 /// Whether both names lead to one file that exists.
@@ -254,9 +301,10 @@ Request request_of(int argc, char** argv)
 {
   Request r;
   po::options_description options(
-    "export_surface SURFACE.json|MAP.ply|FOLDER -o FILE.{obj,glb,vtp,ply} [options]", 100);
-  options.add_options()("help", "print this and end")("output,o", po::value(&r.output)->required(),
-                                                      "file to write: .obj (with .mtl), .glb, .vtp or .ply")(
+    "export_surface SURFACE.json|MAP.ply|FOLDER -o FILE.{obj,glb,vtp,ply,step} [options]", 100);
+  options.add_options()("help", "print this and end")(
+    "output,o", po::value(&r.output)->required(),
+    "file to write: .obj (with .mtl), .glb, .vtp, .ply, or .step of a surface")(
     "map", po::value(&r.map),
     "map.ply that the surface was fitted to, or FOLDER of fit_mesh: adds the error as a field, and the "
     "properties "
@@ -277,14 +325,16 @@ Request request_of(int argc, char** argv)
     "surface.json or map.ply, as fit_mesh and map_mesh write them, also of several bodies; or FOLDER of "
     "fit_mesh, whose "
     "surface.json it is");
+  tools::add_cad_options(options);
   po::positional_options_description positional;
   positional.add("input", 1);
   po::variables_map values;
   po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(), values);
   if (values.count("help")) {
     std::cout << options
-              << "Exit status: 0 success, 2 usage, or the file cannot be written, 3 unreadable input,\n"
-                 "4 too little memory.\n";
+              << "Exit status: 0 success, 1 the STEP file is written, but a tolerance was not reached, 2 "
+                 "usage, or the\n"
+                 "file cannot be written, 3 unreadable input, 4 too little memory, or no surface for STEP.\n";
     std::exit(0);
   }
   po::notify(values);
@@ -292,8 +342,18 @@ Request request_of(int argc, char** argv)
     r.input = (std::filesystem::path(r.input) / "surface.json").string();
   const std::string extension = std::filesystem::path(r.output).extension().string();
   const bool has_images = extension == ".obj" || extension == ".glb";
-  if (!has_images && extension != ".vtp" && extension != ".ply")
-    throw po::error("the output is an .obj, .glb, .vtp or .ply file");
+  r.is_step = extension == ".step" || extension == ".stp";
+  if (!has_images && extension != ".vtp" && extension != ".ply" && !r.is_step)
+    throw po::error("the output is an .obj, .glb, .vtp, .ply or .step file");
+  if (const std::string name = tools::given_cad_option(values); !r.is_step && !name.empty())
+    throw po::error("only a .step file has --" + name);
+  if (r.is_step) {
+    for (const char* name : {"map", "up", "subdivisions", "chord-error"})
+      if (values.count(name) && !values[name].defaulted())
+        throw po::error(std::string("a .step file has no --") + name);
+    if (is_map(r)) throw po::error("a .step file is made of a surface, not of a map");
+    r.cad = tools::cad_request(values);
+  }
   const auto textures = {"none", "normals", "curvature", "checker"};
   if (std::find(textures.begin(), textures.end(), r.texture) == textures.end())
     throw po::error("--texture is one of none, normals, curvature, checker");
@@ -307,7 +367,7 @@ Request request_of(int argc, char** argv)
   std::string materials = r.output;
   if (extension == ".obj") materials.replace(materials.size() - 4, 4, ".mtl");
   for (const std::string& file : {r.input, r.map})
-    for (const std::string& output : {r.output, materials})
+    for (const std::string& output : {r.output, materials, r.cad.metrics})
       if (is_same_file(file, output)) throw po::error("the output would replace the input " + file);
   return r;
 }
@@ -320,6 +380,7 @@ int main(int argc, char** argv)
   };
   try {
     const Request request = request_of(argc, argv);
+    if (request.is_step) return write_step(request);
     const auto [mesh, deviation] = export_of_file(request);
     const std::vector<std::string> dropped =
       write(request.output, mesh, request.up == "y" ? SM::Up_axis::Y : SM::Up_axis::Z);
@@ -332,8 +393,12 @@ int main(int argc, char** argv)
       std::cout << "  dropped, without a place in the format: " << name << '\n';
   } catch (const po::error& e) {
     return fail(std::string(e.what()) + " (see export_surface --help)", 2);
-  } catch (const SM::Error& e) {
+  } catch (const SM::IO_error& e) {
     return fail(e.what(), e.code() == SM::Error_code::cannot_write ? 2 : 3);
+  } catch (const SM::Topology_error& e) {
+    return fail(e.what(), 4);
+  } catch (const SM::Error& e) {
+    return fail(e.what(), 3);
   } catch (const std::bad_alloc&) {
     return fail("the memory is not sufficient", 4);
   } catch (const std::exception& e) {

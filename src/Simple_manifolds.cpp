@@ -15,6 +15,13 @@
 #include <CGAL/Simple_manifolds/atlas/internal/flat_geometry_impl.h>
 #include <CGAL/Simple_manifolds/atlas/internal/sphere_balance_impl.h>
 #include <CGAL/Simple_manifolds/atlas/internal/torus_balance_impl.h>
+#include <CGAL/Simple_manifolds/cad/Cad_surface_impl.h>
+#include <CGAL/Simple_manifolds/cad/internal/Cad_approximation_impl.h>
+#include <CGAL/Simple_manifolds/cad/internal/Face_cut_impl.h>
+#include <CGAL/Simple_manifolds/cad/internal/Smoothness_conditions_impl.h>
+#include <CGAL/Simple_manifolds/cad/internal/Tile_spline_fit_impl.h>
+#include <CGAL/Simple_manifolds/cad/internal/Tile_spline_space_impl.h>
+#include <CGAL/Simple_manifolds/cad/internal/make_cad_surface_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/certify_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/criteria_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion_impl.h>

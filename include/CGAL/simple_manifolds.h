@@ -94,4 +94,9 @@
 #include <CGAL/Simple_manifolds/tessellation/sizing.h>
 #include <CGAL/Simple_manifolds/tessellation/tessellate.h>
 
+#include <CGAL/Simple_manifolds/cad/Cad_options.h>
+#include <CGAL/Simple_manifolds/cad/Cad_report.h>
+#include <CGAL/Simple_manifolds/cad/Cad_surface.h>
+#include <CGAL/Simple_manifolds/cad/surface_to_cad.h>
+
 #endif // CGAL_SIMPLE_MANIFOLDS_H

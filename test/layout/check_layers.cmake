@@ -5,8 +5,8 @@
 # #include lines of all headers below ROOT and names every edge that goes another way.
 
 cmake_minimum_required(VERSION 3.22)
-set(layers . atlas repair correspondence registration embedding paper tessellation IO draw.h) # . = Error.h, ..., and internal/
-list(FIND layers tessellation convenience) # the last layer that simple_manifolds.h includes
+set(layers . atlas repair correspondence registration embedding paper tessellation cad IO draw.h) # . = Error.h, ..., and internal/
+list(FIND layers cad convenience) # the last layer that simple_manifolds.h includes
 
 # The paper's method is an annex of the layers before it, registration one of the engine of maps: they may use the rooms.
 set(annex "^(paper|registration)/")

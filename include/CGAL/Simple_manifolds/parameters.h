@@ -74,6 +74,9 @@
   X(edge_length)         /* double: longest edge of a tessellation, fraction of the diagonal */              \
   X(sizing)              /* model of TessellationSizing */                                                   \
   X(max_faces)           /* std::size_t: limit of the faces of a tessellation */                             \
+  X(cad_tolerance)       /* double: largest deviation of a CAD surface, fraction of the diagonal */           \
+  X(face_cost)           /* double: the controls that a face of a CAD surface is worth */                    \
+  X(cad_report)          /* std::reference_wrapper<Cad_report> */                                            \
   X(tile_borders)        /* Tile_borders: where the tiles of the sphere meet */                              \
   X(tessellation_report) /* std::reference_wrapper<Tessellation_report> */                                   \
   X(up_axis)             /* Up_axis: of a mesh that is written as glTF */                                    \

@@ -9,8 +9,8 @@
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_NORMAL_EQUATIONS_H
 
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Chart_spline.h>
-#include <CGAL/Simple_manifolds/embedding/internal/fit/Cholesky_solver.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
+#include <CGAL/Simple_manifolds/internal/Cholesky_solver.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
 
 #include <Eigen/Core>
@@ -75,9 +75,10 @@ public:
   Eigen::MatrixX3d solve(double ridge)
   {
     const Sparse_matrix a = matrix(ridge);
-    std::size_t solver_bytes = 0;
-    Eigen::MatrixX3d x = solve_cholesky(a, right_side_, solver_bytes);
-    bytes_ = (std::max)(bytes_, column_bytes_ + a.nonZeros() * (sizeof(double) + sizeof(int)) + solver_bytes);
+    Cholesky_solver solver(a);
+    Eigen::MatrixX3d x = solver.solve(right_side_);
+    bytes_ =
+      (std::max)(bytes_, column_bytes_ + a.nonZeros() * (sizeof(double) + sizeof(int)) + solver.bytes());
     return x;
   }
 

@@ -5,8 +5,8 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_CHOLESKY_SOLVER_H
-#define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_CHOLESKY_SOLVER_H
+#ifndef CGAL_SIMPLE_MANIFOLDS_INTERNAL_CHOLESKY_SOLVER_H
+#define CGAL_SIMPLE_MANIFOLDS_INTERNAL_CHOLESKY_SOLVER_H
 
 #include <CGAL/Simple_manifolds/Error.h>
 
@@ -71,35 +71,60 @@ struct Cholesky_factorization : Eigen::SimplicialLLT<Sparse_matrix, Eigen::Lower
 };
 #endif
 
-/// The solution of a x = b, and the memory that it took.
-/// \throw Numeric_error  the factorisation fails
-/// \throw std::bad_alloc  the memory does not suffice
-inline Eigen::MatrixX3d solve_cholesky(const Sparse_matrix& a, const Eigen::MatrixX3d& b, std::size_t& bytes)
-{
 #ifdef CGAL_SIMPLE_MANIFOLDS_USE_CHOLMOD
-  // Not every BLAS that CHOLMOD may be linked with can be called by two threads, OpenBLAS's serial build
-  // cannot. The factorisation is a small share of a fit.
+// Not every BLAS that CHOLMOD may be linked with can be called by two threads, OpenBLAS's serial build cannot. The
+// factorisation is a small share of a fit.
+inline std::unique_lock<std::mutex> lock_blas()
+{
   static std::mutex mutex;
-  const std::lock_guard<std::mutex> lock(mutex);
+  std::unique_lock<std::mutex> lock(mutex);
   static const bool is_blas_ready = (let_blas_take_its_memory(), true); // once; again, if it has thrown
   (void)is_blas_ready;
-#endif
-  Cholesky_factorization solver;
-  solver.analyzePattern(a);
-  solver.require_memory();
-  solver.factorize(a);
-  solver.require_memory();
-  if (solver.info() != Eigen::Success)
-    throw Numeric_error(Error_code::numeric_failure, "the normal equations of " + std::to_string(a.rows()) +
-                                                       " controls cannot be factored");
-  Eigen::MatrixX3d x = solver.solve(b);
-  solver.require_memory();
-  bytes = solver.bytes();
-  return x;
+  return lock;
 }
+#else
+struct No_lock {
+  ~No_lock() {} // so that no compiler calls it unused
+};
+inline No_lock lock_blas() { return {}; }
+#endif
+
+/// The factor of a matrix, for any number of right sides.
+class Cholesky_solver {
+public:
+  /// \throw Numeric_error  the factorisation fails
+  /// \throw std::bad_alloc  the memory does not suffice
+  explicit Cholesky_solver(const Sparse_matrix& a)
+  {
+    const auto lock = lock_blas();
+    factorization_.analyzePattern(a);
+    factorization_.require_memory();
+    factorization_.factorize(a);
+    factorization_.require_memory();
+    if (factorization_.info() != Eigen::Success)
+      throw Numeric_error(Error_code::numeric_failure, "the normal equations of " + std::to_string(a.rows()) +
+                                                         " controls cannot be factored");
+  }
+
+  /// The solution of a x = b.
+  /// \throw std::bad_alloc  the memory does not suffice
+  Eigen::MatrixX3d solve(const Eigen::MatrixX3d& b)
+  {
+    const auto lock = lock_blas();
+    Eigen::MatrixX3d x = factorization_.solve(b);
+    factorization_.require_memory();
+    return x;
+  }
+
+  /// The memory that the factor takes.
+  std::size_t bytes() { return factorization_.bytes(); }
+
+private:
+  Cholesky_factorization factorization_;
+};
 
 } // namespace internal
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_CHOLESKY_SOLVER_H
+#endif // CGAL_SIMPLE_MANIFOLDS_INTERNAL_CHOLESKY_SOLVER_H

@@ -1,0 +1,205 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CAD_INTERNAL_CAD_APPROXIMATION_IMPL_H
+#define CGAL_SIMPLE_MANIFOLDS_CAD_INTERNAL_CAD_APPROXIMATION_IMPL_H
+
+#include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/cad/internal/Cad_approximation.h>
+#include <CGAL/Simple_manifolds/cad/internal/Face_cut.h>
+#include <CGAL/Simple_manifolds/cad/internal/Tile_spline_fit.h>
+#include <CGAL/Simple_manifolds/cad/internal/cad_measures.h>
+#include <CGAL/Simple_manifolds/cad/internal/make_cad_surface.h>
+#include <CGAL/Simple_manifolds/internal/compiled.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+// The space over a surface of tiles: bi-quintic with triple knots where tiles have to be joined smoothly, which is the
+// least that leaves enough freedom for equal curvatures, else bicubic.
+inline Tile_spline_space cad_space(const Tile_gluing& gluing)
+{
+  if (gluing.number_of_tiles() > 1) return Tile_spline_space(gluing, 5, 3, 2);
+  return Tile_spline_space(gluing, 3, 1, gluing.is_periodic() ? 6 : 4);
+}
+
+// The bounding box of a function.
+inline Eigen::AlignedBox3d box_of(const Tile_gluing& gluing, const Tile_function& function)
+{
+  constexpr int n = 64; // cells per side of a tile
+  std::vector<Tile_point> points;
+  for (int tile = 0; tile < gluing.number_of_tiles(); ++tile)
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j) points.push_back({tile, Eigen::Vector2d(i, j) / n});
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& x : function(points)) {
+    if (!x.allFinite())
+      throw Geometry_error(Error_code::non_finite_coordinate, "the surface has points that are not finite");
+    box.extend(x);
+  }
+  const double diagonal = box.diagonal().norm();
+  if (!(diagonal > 0))
+    throw Geometry_error(Error_code::zero_extent,
+                         "the surface is a point: tolerances relative to its diagonal have no meaning");
+  if (!std::isfinite(diagonal))
+    throw Geometry_error(Error_code::extent_out_of_range, "the diagonal of the surface is not finite");
+  return box;
+}
+
+// Samples of a function, in units of the diagonal, at the same points of each cell.
+class Function_samples {
+public:
+  Function_samples(const Tile_spline_space& space, const Tile_function& function,
+                   const Eigen::AlignedBox3d& box, std::vector<Eigen::Vector2d> places)
+    : space_(space), function_(function), origin_(box.center()), scale_(box.diagonal().norm()),
+      places_(std::move(places))
+  {
+  }
+
+  std::vector<Cell_samples> operator()(const std::vector<Tile_cell>& cells) const
+  {
+    std::vector<Cell_samples> samples(cells.size());
+    std::vector<Tile_point> points;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const Tile_cell& c = cells[k];
+      const double size = space_.cell_size(c.level);
+      for (const Eigen::Vector2d& p : places_) {
+        samples[k].places.push_back((Eigen::Vector2d(c.i, c.j) + p) * size);
+        points.push_back({c.tile, samples[k].places.back()});
+      }
+      samples[k].measured = places_.size();
+    }
+    const std::vector<Eigen::Vector3d> values = function_(points);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      samples[k / places_.size()].values.push_back((values[k] - origin_) / scale_);
+    return samples;
+  }
+
+private:
+  Tile_spline_space space_; // as it is at first: for the sizes of cells
+  const Tile_function& function_;
+  Eigen::Vector3d origin_;
+  double scale_;
+  std::vector<Eigen::Vector2d> places_;
+};
+
+template <std::size_t N>
+std::vector<Eigen::Vector2d> products(const std::array<double, N>& x)
+{
+  std::vector<Eigen::Vector2d> places;
+  for (const double a : x)
+    for (const double b : x) places.push_back({a, b});
+  return places;
+}
+
+// The fewest controls for at most `max_faces` faces, or for the cost of a face.
+inline Cad_surface cut_and_join(const Tile_spline& spline, const Cad_options& options,
+                                const Eigen::Vector3d& origin, double scale)
+{
+  const Face_cut cut(spline.space);
+  const std::size_t most = options.max_faces;
+  const int roots = spline.space.gluing().is_periodic() && (most == 0 || most >= 9) ? 3 : 1;
+  const std::size_t least = std::size_t(roots) * roots * spline.space.gluing().number_of_tiles();
+  double cost = options.face_cost;
+  std::vector<Face_rectangle> faces = cut(cost, roots);
+  while (most > 0 && faces.size() > (std::max)(most, least)) faces = cut(cost = 1.5 * cost + 50, roots);
+  return make_cad_surface(spline, faces, cut.units(), origin, scale);
+}
+
+inline void measure_deviation(const Cad_surface& surface, const Tile_function& function, Cad_report& report)
+{
+  std::vector<Tile_point> points;
+  std::vector<Eigen::Vector3d> values;
+  for (const Cad_face& face : surface.faces())
+    for (std::size_t i = 0; i + 1 < face.knots_u.size(); ++i)
+      for (std::size_t j = 0; j + 1 < face.knots_v.size(); ++j) {
+        const Eigen::Vector2d low(face.knots_u[i], face.knots_v[j]);
+        const Eigen::Vector2d size = Eigen::Vector2d(face.knots_u[i + 1], face.knots_v[j + 1]) - low;
+        if (size.minCoeff() <= 0) continue;
+        for (const double a : {0.02, 0.21, 0.5, 0.83})
+          for (const double b : {0.01, 0.27, 0.52, 0.79, 0.99}) {
+            const Eigen::Vector2d uv = low + size.cwiseProduct(Eigen::Vector2d(a, b));
+            points.push_back({face.tile, face.on_tile(uv)});
+            values.push_back(face.jet(uv).value);
+          }
+      }
+  const std::vector<Eigen::Vector3d> targets = function(points);
+  double sum = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double d = (values[k] - targets[k]).norm() / report.diagonal;
+    sum += d * d;
+    if (d > report.max_deviation) {
+      report.max_deviation = d;
+      report.worst_point = targets[k];
+    }
+  }
+  report.rms_deviation = std::sqrt(sum / double(values.size()));
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE Cad_surface approximate(const Tile_gluing& gluing, const Tile_function& function,
+                                                     const Cad_options& options, bool has_threads,
+                                                     const Cad_progress& progress, Cad_report& report)
+{
+  report = Cad_report();
+  const Eigen::AlignedBox3d box = box_of(gluing, function);
+  const Eigen::Vector3d origin = box.center();
+  report.diagonal = box.diagonal().norm();
+
+  constexpr double margin = 0.95; // for what is between the points where the error is looked at
+  const Tile_spline_space space = cad_space(gluing);
+  Tile_spline_fit::Options fit_options;
+  fit_options.max_error = margin * options.tolerance;
+  fit_options.rms_error = (std::numeric_limits<double>::infinity)();
+  fit_options.max_functions = options.max_controls;
+  fit_options.is_smooth_across_tiles = gluing.number_of_tiles() > 1;
+  fit_options.has_threads = has_threads;
+  const auto nodes = space.degree() == 5 ? products(Gauss_rule<6>().nodes) : products(Gauss_rule<4>().nodes);
+  // a fit that is within the tolerance at the nodes is tested between them
+  const std::array<double, 8> between = {0, 0.085, 0.25, 0.415, 0.585, 0.75, 0.915, 1};
+  Tile_spline_fit fit(space, fit_options, Function_samples(space, function, box, nodes),
+                      Function_samples(space, function, box, products(between)));
+  double done = 0;
+  do {
+    fit.solve();
+    progress(done += (0.95 - done) / 4);
+  } while (fit.refine());
+  report.stop = fit.stop() == Tile_spline_fit::Stop::TOLERANCE   ? Cad_stop::TOLERANCE
+                : fit.stop() == Tile_spline_fit::Stop::FUNCTIONS ? Cad_stop::CONTROLS
+                                                                 : Cad_stop::RESOLUTION;
+
+  Cad_surface surface = cut_and_join(fit.spline(), options, origin, report.diagonal);
+  report.functions = std::size_t(fit.spline().space.size());
+  for (const auto& leaf : fit.spline().space.leaves())
+    report.levels = (std::max)(report.levels, leaf.finest + 1);
+  report.faces = surface.faces().size();
+  report.edges = surface.edges().size();
+  report.controls = surface.number_of_controls();
+  measure_deviation(surface, function, report);
+  measure_faces(surface, origin, report);
+  measure_edges(surface, report);
+  report.tolerance_reached = report.max_deviation <= options.tolerance;
+  progress(1);
+  return surface;
+}
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CAD_INTERNAL_CAD_APPROXIMATION_IMPL_H

@@ -1,0 +1,242 @@
+// Copyright (c) 2026 The Simple_manifolds authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Simple_manifolds authors
+
+#ifndef CGAL_SIMPLE_MANIFOLDS_CAD_INTERNAL_TILE_SPLINE_FIT_IMPL_H
+#define CGAL_SIMPLE_MANIFOLDS_CAD_INTERNAL_TILE_SPLINE_FIT_IMPL_H
+
+#include <CGAL/Simple_manifolds/cad/internal/Smoothness_conditions.h>
+#include <CGAL/Simple_manifolds/cad/internal/Tile_spline_fit.h>
+#include <CGAL/Simple_manifolds/internal/Cholesky_solver.h>
+#include <CGAL/Simple_manifolds/internal/compiled.h>
+#include <CGAL/Simple_manifolds/internal/parallel_for.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Simple_manifolds {
+namespace internal {
+
+// The normal equations of least squares. Their matrix is summed up in portions, since its entries by leaves would take
+// several times its memory.
+class Tile_normal_equations {
+public:
+  explicit Tile_normal_equations(int size) : matrix(size, size), right_side(Eigen::MatrixX3d::Zero(size, 3))
+  {
+  }
+
+  void add(const Tile_spline_space& space, const Tile_spline_space::Leaf& leaf, const Cell_samples& samples)
+  {
+    const Eigen::Index n = Eigen::Index(leaf.functions.size()), m = Eigen::Index(samples.places.size());
+    if (m == 0) return;
+    Eigen::MatrixXd a(m, n);
+    Eigen::MatrixX3d b(m, 3);
+    for (Eigen::Index k = 0; k < m; ++k) {
+      const double w = std::size_t(k) < samples.measured ? 1 : std::sqrt(samples.steadying);
+      space.evaluate(leaf, samples.places[k], 0, rows_);
+      a.row(k) = w * rows_.col(0).transpose();
+      b.row(k) = w * samples.values[k].transpose();
+    }
+    const Eigen::MatrixXd products = a.transpose() * a;
+    const Eigen::MatrixX3d sums = a.transpose() * b;
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const int f = leaf.functions[k].function;
+      right_side.row(f) += sums.row(k);
+      for (Eigen::Index l = 0; l < n; ++l)
+        if (const int g = leaf.functions[l].function; f >= g) entries_.emplace_back(f, g, products(k, l));
+    }
+    if (entries_.size() > portion) sum_up();
+  }
+
+  void sum_up()
+  {
+    Sparse_matrix more(matrix.rows(), matrix.cols());
+    more.setFromTriplets(entries_.begin(), entries_.end());
+    matrix = Sparse_matrix(matrix + more);
+    entries_.clear();
+  }
+
+  Sparse_matrix matrix; // the lower triangle
+  Eigen::MatrixX3d right_side;
+
+private:
+  static constexpr std::size_t portion = 8000000;
+  std::vector<Eigen::Triplet<double>> entries_;
+  Tile_spline_space::Rows rows_;
+};
+
+// Minimises x^T N x / 2 - b^T x with G x = 0, a column at a time. The conditions have a finite weight, A = N + G^T G, and
+// conjugate gradients find the multipliers, which take away what is left: each step is one solution with the factor of
+// A. Rows of G may depend on each other.
+inline Eigen::MatrixX3d solve_with_conditions(const Tile_normal_equations& normal,
+                                              const Eigen::SparseMatrix<double, Eigen::RowMajor>& conditions,
+                                              double weight)
+{
+  constexpr int max_steps = 60;
+  constexpr double precision = 1e-12;
+  Sparse_matrix a = normal.matrix;
+  if (conditions.rows() > 0) {
+    const Sparse_matrix products = Sparse_matrix(conditions.transpose()) * Sparse_matrix(conditions);
+    a = Sparse_matrix(a + Sparse_matrix(products.triangularView<Eigen::Lower>()));
+  }
+  const double ridge =
+    1e-13 * normal.matrix.diagonal().maxCoeff(); // for functions that hardly any sample sees
+  for (Eigen::Index k = 0; k < a.rows(); ++k) a.coeffRef(k, k) += ridge;
+  Cholesky_solver solver(a);
+  Eigen::MatrixX3d x = solver.solve(normal.right_side);
+  if (conditions.rows() == 0) return x;
+
+  Eigen::MatrixX3d r = conditions * x, d = r;
+  Eigen::RowVector3d rr = r.colwise().squaredNorm();
+  for (int step = 0; step < max_steps && r.cwiseAbs().maxCoeff() > precision * weight; ++step) {
+    const Eigen::MatrixX3d z = solver.solve(Eigen::MatrixX3d(conditions.transpose() * d)), w = conditions * z;
+    for (int c = 0; c < 3; ++c) {
+      const double dw = d.col(c).dot(w.col(c)), t = dw > 0 ? rr[c] / dw : 0;
+      x.col(c) -= t * z.col(c);
+      r.col(c) -= t * w.col(c);
+      const double norm = r.col(c).squaredNorm();
+      d.col(c) = r.col(c) + (rr[c] > 0 ? norm / rr[c] : 0) * d.col(c);
+      rr[c] = norm;
+    }
+  }
+  return x;
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE Tile_spline_fit::Tile_spline_fit(const Tile_spline_space& space,
+                                                              const Options& options, Sampler sampler,
+                                                              Sampler check)
+  : spline_(space), options_(options), sampler_(std::move(sampler)), check_(std::move(check))
+{
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE void
+Tile_spline_fit::find_samples(const Sampler& sampler,
+                              std::unordered_map<std::uint64_t, Cell_samples>& known) const
+{
+  std::vector<Tile_cell> cells;
+  for (const Tile_spline_space::Leaf& leaf : spline_.space.leaves())
+    if (known.count(leaf.cell.key()) == 0) cells.push_back(leaf.cell);
+  std::vector<Cell_samples> samples = sampler(cells);
+  for (std::size_t k = 0; k < cells.size(); ++k) known[cells[k].key()] = std::move(samples[k]);
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE Tile_spline_fit::Error
+Tile_spline_fit::error(const Tile_spline_space::Leaf& leaf, const Cell_samples& samples) const
+{
+  Error e;
+  Tile_spline_space::Rows rows;
+  for (std::size_t k = 0; k < samples.measured; ++k) {
+    spline_.space.evaluate(leaf, samples.places[k], 0, rows);
+    Eigen::Vector3d x = -samples.values[k];
+    for (std::size_t l = 0; l < leaf.functions.size(); ++l)
+      x += rows(Eigen::Index(l), 0) * spline_.coefficients.row(leaf.functions[l].function).transpose();
+    e.sum += x.squaredNorm();
+    e.max = (std::max)(e.max, x.norm());
+  }
+  e.count = samples.measured;
+  return e;
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE std::vector<Tile_spline_fit::Error>
+Tile_spline_fit::errors(const Sampler& sampler, std::unordered_map<std::uint64_t, Cell_samples>& known)
+{
+  find_samples(sampler, known);
+  const std::vector<Tile_spline_space::Leaf>& leaves = spline_.space.leaves();
+  std::vector<Error> list(leaves.size());
+  constexpr int piece = 64;
+  const int n = int(leaves.size());
+  parallel_tasks(options_.has_threads, (n + piece - 1) / piece, [&](int p) {
+    for (int k = p * piece; k < (std::min)((p + 1) * piece, n); ++k)
+      list[k] = error(leaves[k], known.at(leaves[k].cell.key()));
+  });
+  return list;
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE void Tile_spline_fit::solve()
+{
+  constexpr double weight = 100; // of the conditions: more costs digits, less costs steps
+  find_samples(sampler_, samples_);
+  const Tile_spline_space& space = spline_.space;
+  Tile_normal_equations normal(space.size());
+  for (const Tile_spline_space::Leaf& leaf : space.leaves())
+    normal.add(space, leaf, samples_.at(leaf.cell.key()));
+  normal.sum_up();
+  Eigen::SparseMatrix<double, Eigen::RowMajor> conditions;
+  if (options_.is_smooth_across_tiles) conditions = Smoothness_conditions::matrix(space, weight);
+  spline_.coefficients = solve_with_conditions(normal, conditions, weight);
+
+  errors_ = errors(sampler_, samples_);
+  double sum = 0;
+  std::size_t count = 0;
+  max_ = 0;
+  for (const Error& e : errors_) {
+    sum += e.sum;
+    count += e.count;
+    max_ = (std::max)(max_, e.max);
+  }
+  rms_ = count > 0 ? std::sqrt(sum / double(count)) : 0;
+}
+
+// The leaves with too large an error, and those with the largest shares of too large a sum of squares.
+CGAL_SIMPLE_MANIFOLDS_INLINE std::vector<Tile_cell> Tile_spline_fit::marked(const std::vector<Error>& errors,
+                                                                            bool with_rms) const
+{
+  std::vector<char> is_marked(errors.size(), 0);
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    is_marked[k] = errors[k].max > options_.max_error;
+    sum += errors[k].sum;
+    count += errors[k].count;
+  }
+  const double allowed = options_.rms_error * options_.rms_error * double(count);
+  if (with_rms && sum > allowed) {
+    std::vector<std::size_t> order(errors.size());
+    for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return errors[a].sum > errors[b].sum; });
+    double rest = sum;
+    for (const std::size_t k : order) {
+      if (rest <= allowed / 2) break;
+      is_marked[k] = 1;
+      rest -= errors[k].sum;
+    }
+  }
+  std::vector<Tile_cell> cells;
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    if (is_marked[k]) cells.push_back(spline_.space.leaves()[k].cell);
+  return cells;
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE bool Tile_spline_fit::refine()
+{
+  std::vector<Tile_cell> cells = marked(errors_, true);
+  if (check_ && cells.size() <= errors_.size() / 20) { // near the end
+    const std::vector<Tile_cell> more = marked(errors(check_, checks_), false);
+    cells.insert(cells.end(), more.begin(), more.end());
+  }
+  stop_ = Stop::TOLERANCE;
+  if (cells.empty()) return false;
+  stop_ = Stop::FUNCTIONS;
+  if (std::size_t(spline_.space.size()) >= options_.max_functions) return false;
+  stop_ = Stop::LEVELS;
+  return spline_.space.refine(cells);
+}
+
+} // namespace internal
+} // namespace Simple_manifolds
+} // namespace CGAL
+
+#endif // CGAL_SIMPLE_MANIFOLDS_CAD_INTERNAL_TILE_SPLINE_FIT_IMPL_H
