@@ -81,16 +81,17 @@ void polish(Registered_surface<Geometry>& source, Registered_surface<Geometry>& 
     return (on_source.run(s, t.lift(), 0) + on_target.run(t, s.lift(), 0)) / 2;
   };
   report.energies.assign(1, energy(source, target));
-  const int passes = request.effort == Effort::FAST ? 2 : request.effort == Effort::DEFAULT ? 2 : 8;
-  const int sweeps = request.effort == Effort::FAST ? 2 : 4;
+  const bool is_fast = request.effort == Effort::FAST;
+  const int passes = request.effort == Effort::QUALITY ? 6 : 2, sweeps = is_fast ? 2 : 4,
+            worst = is_fast ? 0 : 20;
   for (int pass = 0; pass < passes; ++pass) {
     const bool is_target = !request.has_fixed_target && pass % 2 == 0;
     Registered_surface<Geometry>& moved = is_target ? target : source;
     std::vector<typename Geometry::Point> before = moved.domain_points;
     if (is_target)
-      on_target.run(target, source.lift(), sweeps);
+      on_target.run(target, source.lift(), sweeps, worst);
     else
-      on_source.run(source, target.lift(), sweeps);
+      on_source.run(source, target.lift(), sweeps, worst);
     const double after = energy(source, target);
     if (after < report.energies.back())
       report.energies.push_back(after);

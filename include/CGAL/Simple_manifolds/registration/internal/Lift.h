@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <utility>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -36,113 +36,106 @@ public:
   using Derivative = Eigen::Matrix<double, 3, Point::RowsAtCompileTime>;
 
   // positions, domain_points: of the vertices. The map is one to one.
-  Lift(std::vector<Eigen::Vector3d> positions, std::vector<Triangle> faces, std::vector<Point> domain_points)
-    : positions_(std::move(positions)), faces_(std::move(faces)), domain_points_(std::move(domain_points)),
-      opposite_(opposite_half_edges(Triangle_soup(static_cast<int>(positions_.size()), faces_)))
+  Lift(const std::vector<Eigen::Vector3d>& positions, const std::vector<Triangle>& faces,
+       const std::vector<Point>& domain_points)
+    : opposite_(opposite_half_edges(Triangle_soup(static_cast<int>(positions.size()), faces)))
   {
+    cells_.reserve(faces.size());
+    for (const Triangle& t : faces) {
+      const Point& a = domain_points[t[0]];
+      const auto areas = Domain::areas(a, domain_points[t[1]], domain_points[t[2]]);
+      Cell cell{a,
+                areas.gradient,
+                areas.constant,
+                positions[t[0]],
+                Derivative::Zero(),
+                areas.gradient[0] + areas.gradient[1] + areas.gradient[2]};
+      for (int k = 1; k < 3; ++k)
+        cell.moved += (positions[t[k]] - positions[t[0]]) * areas.gradient[k].transpose();
+      cells_.push_back(cell);
+    }
   }
-
-  const std::vector<Eigen::Vector3d>& positions() const { return positions_; }
-  const std::vector<Triangle>& faces() const { return faces_; }
-  const std::vector<Point>& domain_points() const { return domain_points_; }
 
   // The face that has p, and the point of the surface there. hint: any face.
   int locate(const Point& p, int hint, Eigen::Vector3d& position) const
   {
-    std::array<double, 3> w;
-    int f = walk(p, hint, w);
-    if (f == -1) f = nearest_face(p, w);
-    const Triangle& t = faces_[f];
-    position =
-      (w[0] * positions_[t[0]] + w[1] * positions_[t[1]] + w[2] * positions_[t[2]]) / (w[0] + w[1] + w[2]);
-    return f;
+    const Found found = find(p, hint);
+    position = cells_[found.face].origin + offset(found, p);
+    return found.face;
   }
 
-  // The derivative of the position by p in face f.
-  Derivative derivative(int f, const Point& p) const
+  // The face that has p, and the derivative of the position by p there.
+  int differentiate(const Point& p, int hint, Derivative& derivative) const
   {
-    const Triangle& t = faces_[f];
-    const auto c = corners(f, p);
-    std::array<Point, 3> gradient;
-    double w[3], sum = 0;
-    for (int k = 0; k < 3; ++k) {
-      const Point &a = c[(k + 1) % 3], &b = c[(k + 2) % 3];
-      gradient[k] = Domain::area_gradient(p, a, b);
-      sum += w[k] = Geometry::twice_area(p, a, b);
-    }
-    const Eigen::Vector3d position =
-      (w[0] * positions_[t[0]] + w[1] * positions_[t[1]] + w[2] * positions_[t[2]]) / sum;
-    Derivative d = Derivative::Zero();
-    for (int k = 0; k < 3; ++k) d += (positions_[t[k]] - position) * gradient[k].transpose();
-    return d / sum;
+    const Found found = find(p, hint);
+    const Cell& cell = cells_[found.face];
+    derivative = (cell.moved - offset(found, p) * cell.gradient_sum.transpose()) / found.area;
+    return found.face;
   }
 
 private:
-  std::array<Point, 3> corners(int f, const Point& p) const
+  // A face: the barycentric coordinates of a point of it are the areas that it makes with the sides.
+  struct Cell {
+    Point corner;
+    std::array<Point, 3> gradient; // of the areas
+    double constant;               // of the first area
+    Eigen::Vector3d origin;        // the position of the first corner
+    Derivative moved; // the position relative to it, times the sum of the areas, by the local point
+    Point gradient_sum;
+  };
+  struct Found {
+    int face;
+    double area; // the sum of the areas
+  };
+
+  Eigen::Vector3d offset(const Found& found, const Point& p) const
   {
-    const Triangle& t = faces_[f];
-    return Domain::seen(p, domain_points_[t[0]], domain_points_[t[1]], domain_points_[t[2]]);
+    const Cell& cell = cells_[found.face];
+    return cell.moved * Domain::local(cell.corner, p) / found.area;
+  }
+
+  std::array<double, 3> areas(const Cell& cell, const Point& p) const
+  {
+    const Point x = Domain::local(cell.corner, p);
+    return {cell.constant + cell.gradient[0].dot(x), cell.gradient[1].dot(x), cell.gradient[2].dot(x)};
   }
 
   // Crosses sides that have p outside until there is none; the order is scrambled, since a fixed one can walk in
-  // circles. w: barycentric coordinates, not of sum 1. Returns -1 if it gives up.
-  int walk(const Point& p, int f, std::array<double, 3>& w) const
+  // circles.
+  Found find(const Point& p, int f) const
   {
     std::uint32_t random = 2463534242u;
     for (int steps = 0; steps < 1000; ++steps) {
+      const std::array<double, 3> w = areas(cells_[f], p);
+      if (w[0] >= -1e-15 && w[1] >= -1e-15 && w[2] >= -1e-15 && w[0] + w[1] + w[2] > 0)
+        return {f, w[0] + w[1] + w[2]};
       random ^= random << 13; // xorshift (Marsaglia 2003)
       random ^= random >> 17;
       random ^= random << 5;
-      const auto c = corners(f, p);
-      int exit = -1;
-      for (int i = 0, k = random % 3; i < 3; ++i, k = k == 2 ? 0 : k + 1) {
-        w[(k + 2) % 3] = Geometry::twice_area(p, c[k], c[(k + 1) % 3]);
-        if (w[(k + 2) % 3] < -1e-15) {
-          exit = k;
-          break;
-        }
-      }
-      if (exit == -1) {
-        if (Domain::is_near_side(p, c) && clamp(w)) return f;
-        exit = random % 3;
-      }
-      f = opposite_[3 * f + exit] / 3;
+      int exit = static_cast<int>(random % 3); // the corner opposite to the side
+      for (int i = 0; i < 3 && !(w[exit] < -1e-15); ++i) exit = exit == 2 ? 0 : exit + 1;
+      f = opposite_[3 * f + (exit == 2 ? 0 : exit + 1)] / 3;
     }
-    return -1;
-  }
-
-  // No coordinate is negative afterwards; false if all are zero.
-  static bool clamp(std::array<double, 3>& w)
-  {
-    for (double& x : w) x = (std::max)(x, 0.);
-    return w[0] + w[1] + w[2] > 0;
+    return nearest(p);
   }
 
   // The face that has p most inside.
-  int nearest_face(const Point& p, std::array<double, 3>& best) const
+  Found nearest(const Point& p) const
   {
-    int found = 0;
-    double most = -2;
-    best = {1, 1, 1};
-    for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
-      const auto c = corners(f, p);
-      if (!Domain::is_near_side(p, c)) continue;
-      std::array<double, 3> w;
-      for (int k = 0; k < 3; ++k) w[k] = Geometry::twice_area(p, c[(k + 1) % 3], c[(k + 2) % 3]);
+    Found found{0, 1};
+    double most = -std::numeric_limits<double>::infinity();
+    for (int f = 0; f < static_cast<int>(cells_.size()); ++f) {
+      const std::array<double, 3> w = areas(cells_[f], p);
       const double sum = w[0] + w[1] + w[2], least = *std::min_element(w.begin(), w.end());
-      if (sum > 0 && least / sum > most && clamp(w)) {
-        most = least / sum;
-        found = f;
-        best = w;
-      }
+      if (!(sum > 0 && least / sum > most)) continue;
+      most = least / sum;
+      found = {f, sum};
     }
     return found;
   }
 
-  std::vector<Eigen::Vector3d> positions_;
-  std::vector<Triangle> faces_;
-  std::vector<Point> domain_points_;
-  std::vector<int> opposite_;
+  std::vector<Cell> cells_;
+  std::vector<int> opposite_; // per side 3 f + k, from corner k to the next
 };
 
 } // namespace internal

@@ -162,7 +162,8 @@ public:
       } else if (has_started && !is_exact_) {
         reach_landmarks(is_finest);
       }
-      if (is_exact_ && course.exact_at == 0) course.exact_at = layout_.number_of_vertices();
+      if (is_exact_ && !landmarks_.empty() && course.exact_at == 0)
+        course.exact_at = layout_.number_of_vertices();
       if (is_finest) break;
       const int first = layout_.number_of_vertices();
       mesh.refine([&](int h) { geometry_.restore(mesh.table(), h); });
@@ -359,8 +360,10 @@ public:
     while (levels_.mesh.level() < levels_.mesh.number_of_levels()) levels_.mesh.refine([](int) {});
   }
 
-  // The mean pointwise energy of the source against the target, after as many sweeps; they move the domain points.
-  double run(Registered_surface<Geometry>& source, const Lift<Geometry>& target, int sweeps)
+  // The mean pointwise energy of the source against the target, after as many sweeps of all vertices, and of the
+  // worst ones; they move the domain points.
+  double run(Registered_surface<Geometry>& source, const Lift<Geometry>& target, int sweeps,
+             int sweeps_of_worst = 0)
   {
     const int n = static_cast<int>(source.domain_points.size());
     for (int v = 0; v < n; ++v) geometry_.set_position(levels_.number(v), source.domain_points[v]);
@@ -370,6 +373,7 @@ public:
     for (const int v : frozen_) layout.freeze(levels_.number(v), true);
     layout.set_stage(Registration_layout<Geometry>::Stage::POINTWISE);
     layout.sweep(sweeps);
+    layout.sweep_worst(sweeps_of_worst);
     for (int v = 0; v < n; ++v) source.domain_points[v] = geometry_.position(levels_.number(v));
     return layout.pointwise_mean();
   }

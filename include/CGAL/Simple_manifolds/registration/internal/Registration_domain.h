@@ -36,21 +36,16 @@ struct Registration_domain<Sphere_geometry> {
   // The point at p + d.
   static Point moved(const Point& p, const Point& d) { return (p + d).normalized(); }
 
-  // The corners of a triangle as seen from p.
-  static std::array<Point, 3> seen(const Point& p, const Point& a, const Point& b, const Point& c)
+  // Twice the area of (p, b, c) is a linear function of `local(a, p)`, and so are those of (a, p, c) and (a, b, p): its
+  // gradients and the constant of the first one. All are positive in the triangle.
+  struct Areas {
+    std::array<Point, 3> gradient;
+    double constant;
+  };
+  static Point local(const Point&, const Point& p) { return p; }
+  static Areas areas(const Point& a, const Point& b, const Point& c)
   {
-    return {a - p, b - p, c - p};
-  }
-  // Whether they are in the half of the sphere round p.
-  static bool is_near_side(const Point& p, const std::array<Point, 3>& corner)
-  {
-    return p.dot(corner[0] + corner[1] + corner[2]) > -3;
-  }
-  // The gradient by p of twice the area (p, p + a, p + b), where a and b end at fixed points.
-  // (p + a) x (p + b), without the cancellation.
-  static Point area_gradient(const Point& p, const Point& a, const Point& b)
-  {
-    return p.cross(b - a) + a.cross(b);
+    return {{b.cross(c - b), c.cross(a - c), a.cross(b - a)}, 0}; // b x c, ... without the cancellation
   }
 };
 

@@ -131,6 +131,33 @@ public:
     }
   }
 
+  // The same for the vertices with faces of much distortion, and those a few edges round them: there most of the energy
+  // is, in a small part of the surface. Pointwise, on the finest level.
+  void sweep_worst(int times)
+  {
+    constexpr double much = 10;
+    constexpr int rings = 3, sweeps_of_a_choice = 10;
+    for (int done = 0; done < times; done += sweeps_of_a_choice) {
+      const std::vector<int> chosen = round_faces_above(much, rings);
+      if (chosen.empty()) return;
+      for (int i = 0; i < sweeps_of_a_choice; ++i) {
+        auto first = chosen.begin();
+        for (int l = 0; l <= mesh_.level(); ++l) {
+          const auto last = std::lower_bound(first, chosen.end(), mesh_.level_end(l));
+          const auto relax_all = [&](int begin, int end) {
+            Star local;
+            for (int k = begin; k < end; ++k) relax(*(first + k), local);
+          };
+          if (l == 0)
+            relax_all(0, static_cast<int>(last - first));
+          else
+            parallel_for(is_parallel_, 0, static_cast<int>(last - first), relax_all);
+          first = last;
+        }
+      }
+    }
+  }
+
   // Brings the vertex to the point, or as near to it as its star allows; whether it is there.
   bool drag(int v, const Point& goal, Star& star)
   {
@@ -170,24 +197,9 @@ public:
   double pointwise_mean() const
   {
     double sum = 0, weight = 0;
-    int hint = 0;
     for (int f = 0; f < mesh_.number_of_active_faces(); ++f) {
-      const auto v = mesh_.table().face(f);
-      const Point p = geometry_.position(v[0]);
-      const Point a = Domain::difference(p, geometry_.position(v[1])),
-                  b = Domain::difference(p, geometry_.position(v[2]));
-      const typename Star::Table::Sector s = {targets_[f].quarter_cot[0], targets_[f].quarter_cot[1],
-                                              targets_[f].quarter_cot[2], targets_[f].area};
-      hint = face_[v[0]];
-      for (const auto& beta : Pointwise_energy::points) {
-        const Point q = Domain::moved(p, beta[1] * a + beta[2] * b);
-        Eigen::Vector3d y;
-        hint = lift_.locate(q, hint, y);
-        const auto L = lift_.derivative(hint, q);
-        const Image_triangle t(s, L * a, L * b, least_area(flat_area_[f]));
-        sum += s.area * Pointwise_energy::value(t, flat_area_[f]) / flat_area_[f] / 2;
-        weight += s.area;
-      }
+      sum += targets_[f].area * pointwise_of_face(f);
+      weight += targets_[f].area;
     }
     return sum / weight;
   }
@@ -200,6 +212,47 @@ public:
   }
 
 private:
+  // The mean of the pointwise energy at the points of a face.
+  double pointwise_of_face(int f) const
+  {
+    const auto v = mesh_.table().face(f);
+    const Point p = geometry_.position(v[0]);
+    const Point a = Domain::difference(p, geometry_.position(v[1])),
+                b = Domain::difference(p, geometry_.position(v[2]));
+    const auto& cot = targets_[f].quarter_cot;
+    const typename Star::Table::Sector s = {cot[0], cot[1], cot[2], targets_[f].area};
+    double sum = 0;
+    int hint = face_[v[0]];
+    for (const auto& beta : Pointwise_energy::points) {
+      typename Lift<Geometry>::Derivative L;
+      hint = lift_.differentiate(Domain::moved(p, beta[1] * a + beta[2] * b), hint, L);
+      const Image_triangle t(s, L * a, L * b, least_area(flat_area_[f]));
+      sum += Pointwise_energy::value(t, flat_area_[f]) / flat_area_[f] / 2;
+    }
+    return sum / Pointwise_energy::number_of_points;
+  }
+
+  // The vertices of faces with more energy, and those up to so many edges from them, in increasing order.
+  std::vector<int> round_faces_above(double energy, int rings) const
+  {
+    std::vector<char> is_chosen(number_of_vertices(), false);
+    std::vector<int> chosen;
+    const auto choose = [&](int v) {
+      if (is_chosen[v]) return;
+      is_chosen[v] = true;
+      chosen.push_back(v);
+    };
+    for (int f = 0; f < mesh_.number_of_active_faces(); ++f)
+      if (pointwise_of_face(f) > energy)
+        for (const int v : mesh_.table().face(f)) choose(v);
+    for (std::size_t begin = 0; rings > 0; --rings) {
+      const std::size_t end = chosen.size();
+      for (; begin < end; ++begin) mesh_.for_each_neighbour(chosen[begin], choose);
+    }
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+  }
+
   static double least_area(double area) { return 1e-12 * area; }
 
   // Shapes from the positions in space, areas from the masses that the corners have collected.
@@ -325,9 +378,8 @@ private:
       const double area = area_[first + i], weight = s.area / area / Pointwise_energy::number_of_points;
       for (const auto& beta : Pointwise_energy::points) {
         const Point q = Domain::moved(p, beta[1] * a + beta[2] * b);
-        Eigen::Vector3d y;
-        hint = lift_.locate(q, hint, y);
-        const auto L = lift_.derivative(hint, q);
+        typename Lift<Geometry>::Derivative L;
+        hint = lift_.differentiate(q, hint, L);
         const Image_triangle t(s, L * a, L * b, least_area(area));
         sum += weight * Pointwise_energy::value(t, area);
         if (m) {
