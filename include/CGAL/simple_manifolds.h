@@ -61,11 +61,14 @@
 
 #include <CGAL/Simple_manifolds/registration/Correspondence.h>
 #include <CGAL/Simple_manifolds/registration/Shape_set.h>
+#include <CGAL/Simple_manifolds/registration/canonical_position.h>
 #include <CGAL/Simple_manifolds/registration/common_mesh.h>
 #include <CGAL/Simple_manifolds/registration/correspondence_distortion.h>
 #include <CGAL/Simple_manifolds/registration/register_maps.h>
 #include <CGAL/Simple_manifolds/registration/register_shapes.h>
 #include <CGAL/Simple_manifolds/registration/shape_statistics.h>
+#include <CGAL/Simple_manifolds/registration/spherical_harmonics.h>
+#include <CGAL/Simple_manifolds/registration/transfer.h>
 
 #include <CGAL/Simple_manifolds/embedding/Bspline_basis.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_options.h>

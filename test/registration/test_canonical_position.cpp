@@ -1,0 +1,140 @@
+#include "blobs.h"
+#include "catch.h"
+
+#include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_torus.h>
+#include <CGAL/Simple_manifolds/registration/canonical_position.h>
+#include <CGAL/Simple_manifolds/registration/shape_statistics.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace test_canonical_position {
+
+namespace {
+
+using namespace CGAL::Simple_manifolds;
+using blobs::Blob;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Map = Manifold_map<Sphere_atlas>;
+
+Map canonical(const Blob& b, Position_frame frame = Position_frame::SHAPE, bool* is_ambiguous = nullptr)
+{
+  return canonical_position(map_to_sphere(b.points, b.faces), frame, is_ambiguous);
+}
+
+// The angle, in degrees, of the rotation that best takes the domain points of one map to those of another one; `at`: where the
+// vertices of the first one are on the mesh of the second one.
+double turn(const Map& map, const Map& other, const std::vector<Map::Location>& at)
+{
+  std::vector<Vector3d> targets;
+  for (const Map::Location& l : at) targets.push_back(other.to_domain(l));
+  const std::vector<double> mass = internal::vertex_masses(map.faces(), map.points());
+  // about the centre of the sphere: with the opposite points the means are 0
+  std::vector<Vector3d> p = map.domain_points(), q = targets;
+  std::vector<double> twice = mass;
+  for (std::size_t v = 0; v < mass.size(); ++v) {
+    p.push_back(-p[v]);
+    q.push_back(-q[v]);
+    twice.push_back(mass[v]);
+  }
+  const Similarity s = internal::best_similarity<double>(p, q, twice, false);
+  return std::abs(Eigen::AngleAxisd(s.rotation).angle()) * 180 / std::acos(-1.);
+}
+std::vector<Map::Location> vertices(const Map& map)
+{
+  std::vector<Map::Location> at(map.number_of_vertices());
+  for (std::size_t f = 0; f < map.number_of_faces(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      at[map.face(f)[k]].face = static_cast<int>(f);
+      at[map.face(f)[k]].barycentric = Vector3d::Unit(k);
+    }
+  return at;
+}
+
+} // namespace
+
+TEST_CASE("the sphere lies as the shape says: noise, motions, sizes and other triangulations do not turn it")
+{
+  const Blob blob = blobs::blob(blobs::four_bumps(), 4);
+  bool is_ambiguous = true;
+  const Map map = canonical(blob, Position_frame::SHAPE, &is_ambiguous);
+  CHECK_FALSE(is_ambiguous);
+  CHECK(map.certificate().is_valid());
+  CHECK(map.points() == blob.points);
+
+  std::mt19937 random(7);
+  for (const double noise : {1e-6, 1e-3}) {
+    Blob noisy = blob;
+    for (Vector3d& x : noisy.points)
+      for (int k = 0; k < 3; ++k)
+        x[k] += 4 * noise * (static_cast<double>(random()) / 4294967296. - 0.5); // of the diagonal
+    CHECK(turn(map, canonical(noisy), vertices(map)) < 2);
+  }
+  Blob moved = blob;
+  for (Vector3d& x : moved.points) x = 1e4 * (blobs::some_turn() * x) + Vector3d(1, 2, 3);
+  CHECK(turn(map, canonical(moved), vertices(map)) < 2);
+  const double spatial =
+    turn(canonical(blob, Position_frame::SPACE), canonical(moved, Position_frame::SPACE), vertices(map));
+  CHECK(spatial == Approx(1.1 * 180 / std::acos(-1.)).margin(2)); // it turns as the shape does
+
+  // Another triangulation of the same surface: both maps know where the same points are.
+  const Blob other = blobs::blob(blobs::four_bumps(), 4, blobs::some_turn());
+  const Map over(other.points, other.faces, other.sphere, other.points.size());
+  std::vector<Map::Location> at;
+  for (const Vector3d& p : blob.sphere) at.push_back(over.to_mesh(p));
+  CHECK(turn(map, canonical(other), at) < 2);
+}
+
+TEST_CASE("symmetric shapes are said to be ambiguous")
+{
+  auto bumps = blobs::four_bumps();
+  bumps.resize(1); // one bump: turns about its axis
+  bool is_ambiguous = false;
+  canonical(blobs::blob(bumps, 3), Position_frame::SHAPE, &is_ambiguous);
+  CHECK(is_ambiguous);
+  is_ambiguous = false;
+  const auto m = sample::subdivided(sample::octahedron(), 3);
+  const Map round(m.points, m.faces, m.domain_points, m.points.size());
+  canonical_position(round, Position_frame::SHAPE, &is_ambiguous);
+  CHECK(is_ambiguous);
+}
+
+TEST_CASE("the torus is translated to where the shape says")
+{
+  // thicker, and thinner, at some places
+  const auto torus = [](int n, int m, double from) {
+    std::vector<Vector3d> points;
+    std::vector<Triangle> faces;
+    const double pi = std::acos(-1.);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < m; ++j) {
+        const double u = 2 * pi * i / n + from, v = 2 * pi * j / m - from;
+        const double r = 0.8 + 0.25 * std::cos(u) + 0.15 * std::sin(2 * u) + 0.1 * std::cos(u - v);
+        points.emplace_back((3 + r * std::cos(v)) * std::cos(u), (3 + r * std::cos(v)) * std::sin(u),
+                            r * std::sin(v));
+        const auto at = [&](int a, int b) { return (a % n) * m + b % m; };
+        faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+        faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+      }
+    return map_to_torus(points, faces);
+  };
+  bool is_ambiguous = true;
+  const auto a = canonical_position(torus(40, 20, 0), Position_frame::SHAPE, &is_ambiguous);
+  CHECK_FALSE(is_ambiguous);
+  const auto b = canonical_position(torus(40, 20, 2 * std::acos(-1.) / 20)); // two rows, one column on
+  CHECK(a.certificate().is_valid());
+  double largest = 0;
+  for (int i = 0; i < 40; ++i)
+    for (int j = 0; j < 20; ++j) {
+      Vector2d d = a.domain_point(i * 20 + j) - b.domain_point((i + 38) % 40 * 20 + (j + 1) % 20);
+      for (int k = 0; k < 2; ++k) d[k] -= std::round(d[k]);
+      largest = (std::max)(largest, d.norm());
+    }
+  CHECK(largest < 0.02);
+}
+
+} // namespace test_canonical_position
