@@ -137,7 +137,7 @@ function addView(name, mesh) {
     set(positions) { gl.bindBuffer(gl.ARRAY_BUFFER, position); gl.bufferData(gl.ARRAY_BUFFER, positions, gl.DYNAMIC_DRAW); },
     draw() {
       const size = Math.round(canvas.clientWidth * devicePixelRatio) || 300;
-      if (canvas.width !== size) canvas.width = canvas.height = size;
+      if (canvas.width !== size || canvas.height !== size) canvas.width = canvas.height = size;
       gl.viewport(0, 0, size, size);
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
       gl.uniformMatrix3fv(uniform('turn'), false, turn);
@@ -193,7 +193,7 @@ function vary() {
   morphView.set(x);
   draw();
 }
-const weights = forms.map((f, i) => slider('weights', data.shapes[i].name, 0, 1, i === 0 ? 1 : 0, morph));
+const weights = forms.map((f, i) => slider('weights', data.shapes[i].name, 0, 1, 0.5, morph));
 const sliders = modes.map((m, i) => slider('modes', 'mode ' + (i + 1), -3, 3, 0, vary));
 document.getElementById('mode_box').hidden = modes.length === 0;
 document.querySelectorAll('input[name=colour]').forEach((r) =>
@@ -212,7 +212,7 @@ for (const p of data.metrics.pairs)
 document.getElementById('words').textContent = 'Every point of a shape has one point of the sphere, and so one point of ' +
   'every other shape: proved for each map. The distortion is the symmetric Dirichlet density, 1 for an isometry. Drag to turn, scroll to zoom.';
 addEventListener('resize', draw);
-draw();
+morph();
 </script>
 </body>
 </html>
