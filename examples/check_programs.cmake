@@ -56,6 +56,11 @@ if(PART STREQUAL good_input)
   if(NOT count EQUAL 11)
     message(SEND_ERROR "samples.csv has ${count} lines instead of 11")
   endif()
+  list(GET samples 0 names)
+  file(STRINGS ${WORK}/new/sphere/surface.ply confidence REGEX "^property double confidence$")
+  if(NOT confidence OR NOT names MATCHES ",confidence$")
+    message(SEND_ERROR "surface.ply or samples.csv without confidence: ${names}")
+  endif()
 
   # Vertices of no face are left out: that is said, and map.ply has the numbers of the others.
   set(tetrahedron "0 0 0\n1 0 0\n8 8 8\n0 1 0\n0 0 1\n3 1 4 2\n3 1 2 5\n3 2 4 5\n3 4 1 5\n")

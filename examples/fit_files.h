@@ -16,6 +16,7 @@
 #include <CGAL/Simple_manifolds/IO/write_ply.h>
 #include <CGAL/Simple_manifolds/IO/write_tessellation.h>
 #include <CGAL/Simple_manifolds/correspondence/map_properties.h>
+#include <CGAL/Simple_manifolds/embedding/Fit_confidence.h>
 #include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
 
 #include <algorithm>
@@ -23,6 +24,7 @@
 #include <functional>
 #include <iostream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -55,6 +57,21 @@ inline std::string folder_of_part(std::size_t k) { return "part-" + std::to_stri
 /// \throw Usage_error, SM::IO_error
 void require_outputs(const Command_line& options, const Fit_request& request, std::size_t parts);
 
+/// The field `confidence` at points of a surface; none for stacks of patches, which have no cells.
+template <class Surface>
+std::vector<SM::Charted_mesh::Field>
+confidence_fields([[maybe_unused]] const SM::Fit_confidence& confidence,
+                  [[maybe_unused]] const Surface& surface,
+                  [[maybe_unused]] const std::vector<typename Surface::Domain_point>& points)
+{
+  std::vector<SM::Charted_mesh::Field> fields;
+  if constexpr (std::is_same_v<typename Surface::Chart_embedding, SM::Hierarchical_embedding>) {
+    fields.push_back({"confidence", {}});
+    for (const auto& p : points) fields.back().values.push_back(confidence(surface, p));
+  }
+  return fields;
+}
+
 /// Writes the files of a body, those of several each in its folder. `least` is the number of vertices that the
 /// tessellation has at least, roughly. Returns the metrics and the tessellation.
 template <class Map, class Surface>
@@ -70,6 +87,7 @@ std::pair<Json, SM::Charted_mesh> write_body(Job& job, const Map& map, const Sur
   const double chord_error = job.request.average / 2;
   metrics["parameters"].update({{"subdivisions", subdivisions}, {"chord_error", chord_error}});
   const SM::Mesh_properties properties = SM::map_properties(map, job.input.read.properties);
+  const SM::Fit_confidence confidence(map, crease_angle_of(job.request));
   SM::Tessellation_report tessellated;
   SM::Charted_mesh tessellation = job.watch.time("tessellate", [&] {
     SM::Charted_mesh mesh = SM::charted_tessellation(surface, map,
@@ -77,6 +95,10 @@ std::pair<Json, SM::Charted_mesh> write_body(Job& job, const Map& map, const Sur
                                                        .chord_error(chord_error)
                                                        .tessellation_report(std::ref(tessellated))
                                                        .mesh_properties(std::cref(properties)));
+    std::vector<typename Map::Domain_point> points;
+    for (const SM::Chart_point& p : mesh.chart_points) points.push_back(map.atlas().point(p));
+    for (SM::Charted_mesh::Field& field : confidence_fields(confidence, surface, points))
+      mesh.fields.push_back(std::move(field));
     SM::write_ply(file("surface.ply"), mesh);
     return mesh;
   });
@@ -89,9 +111,10 @@ std::pair<Json, SM::Charted_mesh> write_body(Job& job, const Map& map, const Sur
       file("map.ply"), map,
       SM::parameters::repair_report(std::cref(job.input.repair)).mesh_properties(std::cref(properties)));
     SM::write_surface(file("surface.json"), surface, SM::parameters::rms_error(job.request.average));
-    if (job.request.samples > 0)
-      SM::write_samples(file("samples.csv"), surface,
-                        SM::random_domain_points(job.request.samples, 0, map.atlas()));
+    if (job.request.samples > 0) {
+      const auto points = SM::random_domain_points(job.request.samples, 0, map.atlas());
+      SM::write_samples(file("samples.csv"), surface, points, confidence_fields(confidence, surface, points));
+    }
   });
   if (has_report)
     job.watch.time("report", [&] {

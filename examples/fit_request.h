@@ -24,6 +24,12 @@ struct Fit_request {
   SM::Joint_solve joint;
 };
 
+/// Edges with a larger angle are creases of what is fitted, degrees.
+inline double crease_angle_of(const Fit_request& r)
+{
+  return r.target == SM::Fit_target::CURVED ? 180 : r.crease_angle;
+}
+
 /// With all options of fit_mesh.
 Command_line fit_command_line();
 

@@ -71,6 +71,7 @@
 #include <CGAL/Simple_manifolds/registration/transfer.h>
 
 #include <CGAL/Simple_manifolds/embedding/Bspline_basis.h>
+#include <CGAL/Simple_manifolds/embedding/Fit_confidence.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_options.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>

@@ -95,6 +95,12 @@ TEST_CASE("samples are one row each, in full precision")
 
   SM::write_samples(folder("t.csv"), ring(3, 1), SM::random_domain_points<SM::Torus_atlas>(1));
   CHECK(folder.read("t.csv").find("domain_u,domain_v,x,y,z,") == 0);
+
+  const std::vector<SM::Torus_atlas::Domain_point> two = {{.1, .2}, {.3, .4}};
+  SM::write_samples(folder("f.csv"), ring(3, 1), two, {{"a", {1.5, 2}}, {"b", {-3, HUGE_VAL}}});
+  const std::string text = folder.read("f.csv");
+  for (const char* end : {",gaussian_curvature,a,b\n", ",1.5,-3\n", ",2,inf\n"})
+    CHECK(text.find(end) != std::string::npos);
 }
 
 } // namespace test_write_tessellation

@@ -18,6 +18,11 @@
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -81,24 +86,35 @@ void write_tessellation(const std::string& file, const Surface& surface, const M
 /// Writes the surface at given points of the domain as a CSV file with one header line: `domain_x,
 /// domain_y,domain_z` (sphere) or `domain_u,domain_v`, then `x,y,z,nx,ny,nz,mean_curvature,
 /// gaussian_curvature`; signs as in `Jet_geometry.h`.
+/// \param fields  further columns, such as the values of a `Fit_confidence`
+/// \pre each field has a value for each point, and a name without commas and line ends
 /// \throw IO_error (`cannot_write`); a file that was there before is then as it was
 template <class Surface>
 void write_samples(const std::string& file, const Surface& surface,
-                   const std::vector<typename Surface::Domain_point>& domain_points)
+                   const std::vector<typename Surface::Domain_point>& domain_points,
+                   const std::vector<Charted_mesh::Field>& fields = {})
 {
+  CGAL_precondition(std::all_of(fields.begin(), fields.end(), [&](const Charted_mesh::Field& field) {
+    return field.values.size() == domain_points.size() &&
+           field.name.find_first_of(",\n\r") == std::string::npos;
+  }));
   Atomic_file output(file);
   std::ostream& out = output.stream();
   out << (Surface::Domain_point::RowsAtCompileTime == 3 ? "domain_x,domain_y,domain_z" : "domain_u,domain_v")
-      << ",x,y,z,nx,ny,nz,mean_curvature,gaussian_curvature\n";
+      << ",x,y,z,nx,ny,nz,mean_curvature,gaussian_curvature";
+  for (const Charted_mesh::Field& field : fields) out << ',' << field.name;
+  out << '\n';
   const auto row = [&](const auto& values) {
     for (int k = 0; k < values.size(); ++k) out << internal::shortest(values[k]) << ',';
   };
-  for (const auto& p : domain_points) {
-    const Jet e = surface.jet(p);
-    row(p);
+  for (std::size_t k = 0; k < domain_points.size(); ++k) {
+    const Jet e = surface.jet(domain_points[k]);
+    row(domain_points[k]);
     row(e.value);
     row(normal(e));
-    out << internal::shortest(mean_curvature(e)) << ',' << internal::shortest(gaussian_curvature(e)) << '\n';
+    out << internal::shortest(mean_curvature(e)) << ',' << internal::shortest(gaussian_curvature(e));
+    for (const Charted_mesh::Field& field : fields) out << ',' << internal::shortest(field.values[k]);
+    out << '\n';
   }
   output.commit();
 }
