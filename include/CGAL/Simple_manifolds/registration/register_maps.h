@@ -53,10 +53,10 @@ struct Registration_report {
   /// The number of vertices of the level on which all landmarks were met: the fewer, the simpler the way there.
   std::size_t exact_at = 0;
   /// For each rotation that was tried to the end: the mean logarithm of its distortion on the coarse level, 0 for an
-  /// isometry. Equal ones that are least say that a shape is symmetric. Empty with more than 6 landmarks.
+  /// isometry. Several that are nearly the least say that a shape is nearly symmetric. Empty with more than 6 landmarks.
   std::vector<double> rotations;
-  /// The mean symmetric Dirichlet density (1 for an isometry) on both shapes: of the layout, and after each pass of
-  /// polishing that was kept.
+  /// The mean symmetric Dirichlet density (1 for an isometry) on both shapes: of the first layout, and after each step
+  /// that made it less.
   std::vector<double> energies;
 };
 

@@ -63,43 +63,81 @@ inline std::vector<std::pair<int, int>> consistent_pairs(std::vector<std::pair<i
   return pairs;
 }
 
-// Passes of the finest level over one of the surfaces and then the other, each of which is kept only if the energy of both
-// has become less.
+// Improves two registered surfaces. What does not make the energy of both less is not kept.
 template <class Geometry>
-void polish(Registered_surface<Geometry>& source, Registered_surface<Geometry>& target,
-            const Registration_request& request, const Registration_options& options,
-            Registration_report& report)
-{
-  std::vector<int> frozen_source, frozen_target;
-  for (const auto& l : request.landmarks) {
-    frozen_source.push_back(l.first);
-    frozen_target.push_back(l.second);
+class Registration_improvement {
+public:
+  Registration_improvement(Registered_surface<Geometry>& source, Registered_surface<Geometry>& target,
+                           const Registration_request& request, const Registration_options& options,
+                           Registration_report& report)
+    : source_(source), target_(target), request_(request), options_(options), report_(report),
+      on_source_(source, frozen(&std::pair<int, int>::first), options),
+      on_target_(target, frozen(&std::pair<int, int>::second), options)
+  {
+    report.energies.assign(1, energy());
   }
-  Registration_polish<Geometry> on_source(source, frozen_source, options),
-    on_target(target, frozen_target, options);
-  const auto energy = [&](Registered_surface<Geometry>& s, Registered_surface<Geometry>& t) {
-    return (on_source.run(s, t.lift(), 0) + on_target.run(t, s.lift(), 0)) / 2;
-  };
-  report.energies.assign(1, energy(source, target));
-  const bool is_fast = request.effort == Effort::FAST;
-  const int passes = request.effort == Effort::QUALITY ? 6 : 2, sweeps = is_fast ? 2 : 4,
-            worst = is_fast ? 0 : 20;
-  for (int pass = 0; pass < passes; ++pass) {
-    const bool is_target = !request.has_fixed_target && pass % 2 == 0;
-    Registered_surface<Geometry>& moved = is_target ? target : source;
-    std::vector<typename Geometry::Point> before = moved.domain_points;
-    if (is_target)
-      on_target.run(target, source.lift(), sweeps, worst);
-    else
-      on_source.run(source, target.lift(), sweeps, worst);
-    const double after = energy(source, target);
-    if (after < report.energies.back())
-      report.energies.push_back(after);
-    else
-      moved.domain_points = std::move(before);
-    request.visitor.progress((pass + 1.) / passes);
+
+  // Lays the source out once more, from where it is on the coarse levels: what the finer levels have found is a better
+  // start than the search.
+  void lay_out_again()
+  {
+    std::vector<Indexed_landmark<typename Geometry::Point>> landmarks;
+    for (const auto& l : request_.landmarks)
+      landmarks.push_back({l.first, source_.domain_points[l.first], 1});
+    Registration_course course;
+    const Lift<Geometry> lift = target_.lift();
+    auto points =
+      Coarse_to_fine_registration<Geometry>(source_, lift, landmarks, options_, true)
+        .run(course, [&](double fraction) { request_.visitor.progress(0.4 * (std::min)(fraction, 1.)); });
+    if (!points || !course.unreached.empty()) return;
+    std::swap(source_.domain_points, *points);
+    if (!is_better()) std::swap(source_.domain_points, *points);
   }
-}
+
+  // Passes of the finest level over the source and the target, by turns.
+  void polish()
+  {
+    const bool is_fast = request_.effort == Effort::FAST;
+    const int passes = request_.effort == Effort::QUALITY ? 7 : 3, worst = is_fast ? 0 : 20;
+    for (int pass = 0; pass < passes; ++pass) {
+      const bool is_source = request_.has_fixed_target || pass % 2 == 0;
+      const int sweeps = (pass == 0 ? 20 : 4) / (is_fast ? 2 : 1);
+      Registered_surface<Geometry>& moved = is_source ? source_ : target_;
+      std::vector<typename Geometry::Point> before = moved.domain_points;
+      if (is_source)
+        on_source_.run(source_, target_.lift(), sweeps, worst);
+      else
+        on_target_.run(target_, source_.lift(), sweeps, worst);
+      if (!is_better()) moved.domain_points = std::move(before);
+      request_.visitor.progress(0.4 + 0.6 * (pass + 1.) / passes);
+    }
+  }
+
+private:
+  std::vector<int> frozen(int std::pair<int, int>::*side) const
+  {
+    std::vector<int> vertices;
+    for (const auto& l : request_.landmarks) vertices.push_back(l.*side);
+    return vertices;
+  }
+  double energy()
+  {
+    return (on_source_.run(source_, target_.lift(), 0) + on_target_.run(target_, source_.lift(), 0)) / 2;
+  }
+  bool is_better()
+  {
+    const double now = energy();
+    if (!(now < report_.energies.back())) return false;
+    report_.energies.push_back(now);
+    return true;
+  }
+
+  Registered_surface<Geometry>&source_, &target_;
+  const Registration_request& request_;
+  const Registration_options& options_;
+  Registration_report& report_;
+  Registration_polish<Geometry> on_source_, on_target_;
+};
 
 template <class Geometry>
 Correspondence<Sphere_atlas> registered(const Manifold_map<Sphere_atlas>& source,
@@ -139,7 +177,9 @@ Correspondence<Sphere_atlas> registered(const Manifold_map<Sphere_atlas>& source
       report.exact_at = course.exact_at;
       report.rotations = std::move(course.rotations);
       request.visitor.start_phase("polish");
-      polish(c, d, request, options, report);
+      Registration_improvement<Geometry> improvement(c, d, request, options, report);
+      if (request.effort != Effort::FAST) improvement.lay_out_again();
+      improvement.polish();
       request.visitor.end_phase();
       request.visitor.start_phase("certify");
       try {

@@ -121,7 +121,8 @@ struct Registration_course {
 };
 
 // The coarse-to-fine layout of a surface on the sphere against another one that stays: see the manual, "Between
-// shapes". landmarks: vertices of the source, with the domain points that they have to have.
+// shapes". landmarks: vertices of the source, with the domain points that they have to have. is_placed: the map that the
+// source came with is registered already, and only to be improved.
 template <class Geometry>
 class Coarse_to_fine_registration {
 public:
@@ -131,16 +132,17 @@ public:
   using Stage = typename Layout::Stage;
 
   Coarse_to_fine_registration(const Registered_surface<Geometry>& source, const Lift<Geometry>& target,
-                              const Landmarks& landmarks, const Registration_options& options)
+                              const Landmarks& landmarks, const Registration_options& options,
+                              bool is_placed = false)
     : geometry_(static_cast<int>(source.points.size())),
       levels_(source, geometry_, vertices_of(landmarks), options.area_floor, options.is_parallel),
       lift_(target), layout_(levels_.mesh, geometry_, target, levels_.numbered(source.positions),
                              options.shape_floor, options.is_parallel),
       options_(options), landmarks_(landmarks), full_(levels_.numbered(source.domain_points)),
-      is_exact_(landmarks.empty()), has_search_(landmarks.size() <= 6)
+      is_exact_(landmarks.empty()), is_placed_(is_placed), has_search_(is_placed || landmarks.size() <= 6)
   {
     for (auto& l : landmarks_) l.vertex = levels_.number(l.vertex);
-    if (has_search_ && landmarks_.size() >= 3) rotate_full_map();
+    if (has_search_ && !is_placed_ && landmarks_.size() >= 3) rotate_full_map();
   }
 
   // The domain points of the source in the order of its vertices; nothing if doubles do not suffice.
@@ -175,12 +177,7 @@ public:
       const double n = layout_.number_of_vertices(), N = mesh.number_of_vertices();
       progress(0.2 + 0.8 * n / N);
       const bool is_last = mesh.level() == mesh.number_of_levels();
-      if (is_last && has_started && is_exact_) {
-        layout_.set_stage(Stage::POINTWISE);
-        layout_.sweep(sweeps(20));
-      } else {
-        layout_.sweep(sweeps((std::min)(100., (std::max)(4 * std::sqrt(N / n), 3e4 / n))));
-      }
+      layout_.sweep(sweeps(is_last ? 8. : (std::min)(100., (std::max)(4 * std::sqrt(N / n), 3e4 / n))));
     }
     course.unreached = unreached();
     return points();
@@ -232,7 +229,8 @@ private:
   {
     const double weight = Geometry::total_area / layout_.number_of_vertices();
     if (has_search_)
-      for (int v = 0; v < layout_.number_of_vertices(); ++v) layout_.draw(v, full_[v], 30 * weight);
+      for (int v = 0; v < layout_.number_of_vertices(); ++v)
+        layout_.draw(v, full_[v], (is_placed_ ? 300 : 30) * weight);
     for (const auto& l : landmarks_)
       layout_.draw(l.vertex, l.target, has_search_ ? 300 * weight : Geometry::total_area);
   }
@@ -243,7 +241,10 @@ private:
     if (has_search_) {
       layout_.sweep(60);
       layout_.forget_goals();
-      search(course, progress);
+      if (is_placed_)
+        reach_landmarks(false);
+      else
+        search(course, progress);
     } else {
       geometry_.align(active_landmarks());
       layout_.sweep(30);
@@ -299,30 +300,49 @@ private:
       for (const Scored_rotation& r : best_apart(std::move(with_landmarks), 8)) best.push_back(r);
     for (Scored_rotation& r : best) descend(r, score);
 
-    std::vector<Point> chosen;
-    double least = 0;
-    bool is_chosen_exact = false;
-    for (std::size_t i = 0; i < best.size(); ++i) {
-      turn(best[i].rotation);
-      if (!landmarks_.empty()) {
-        for (const auto& l : landmarks_) layout_.freeze(l.vertex, false);
-        reach_landmarks(false);
-      }
-      layout_.set_stage(Stage::CHORDAL);
-      if (is_exact_) layout_.sweep(60);
-      const double e = layout_.chordal_mean(true);
-      course.rotations.push_back(e);
-      if (chosen.empty() || (is_exact_ && !is_chosen_exact) || (is_exact_ == is_chosen_exact && e < least)) {
-        least = e;
-        is_chosen_exact = is_exact_;
-        chosen.resize(n);
-        for (int v = 0; v < n; ++v) chosen[v] = geometry_.position(v);
-      }
-      progress(0.1 + 0.1 * static_cast<double>(i + 1) / static_cast<double>(best.size()));
+    // Each a little, and of these the best ones to the end.
+    std::vector<Candidate> candidates;
+    for (const Scored_rotation& r : best) {
+      turn(r.rotation);
+      candidates.push_back(relaxed(15));
+      progress(0.1 + 0.05 * static_cast<double>(candidates.size()) / static_cast<double>(best.size()));
     }
-    for (int v = 0; v < n; ++v) geometry_.set_position(v, chosen[v]);
-    is_exact_ = is_chosen_exact;
+    std::stable_sort(candidates.begin(), candidates.end());
+    candidates.resize((std::min)(candidates.size(), std::size_t(5)));
+    for (Candidate& c : candidates) {
+      set_positions(c.positions);
+      c = relaxed(45);
+      course.rotations.push_back(c.energy);
+    }
+    const Candidate& chosen = *std::min_element(candidates.begin(), candidates.end());
+    set_positions(chosen.positions);
+    is_exact_ = chosen.is_exact;
     layout_.set_stage(Stage::DOMAIN);
+  }
+
+  // A coarse layout. Those that meet the landmarks are before others.
+  struct Candidate {
+    bool is_exact;
+    double energy; // mean logarithm
+    std::vector<Point> positions;
+    bool operator<(const Candidate& o) const { return is_exact != o.is_exact ? is_exact : energy < o.energy; }
+  };
+  Candidate relaxed(int times)
+  {
+    is_exact_ = true;
+    if (!landmarks_.empty()) {
+      for (const auto& l : landmarks_) layout_.freeze(l.vertex, false);
+      reach_landmarks(false);
+    }
+    layout_.set_stage(Stage::CHORDAL);
+    if (is_exact_) layout_.sweep(times);
+    Candidate c{is_exact_, layout_.chordal_mean(true), {}};
+    for (int v = 0; v < layout_.number_of_vertices(); ++v) c.positions.push_back(geometry_.position(v));
+    return c;
+  }
+  void set_positions(const std::vector<Point>& positions)
+  {
+    for (int v = 0; v < static_cast<int>(positions.size()); ++v) geometry_.set_position(v, positions[v]);
   }
 
   // The mean distance of the images of the landmarks from their goals, on the target of radius about 1.
@@ -344,7 +364,7 @@ private:
   Registration_options options_;
   Landmarks landmarks_;     // in the numbers of the hierarchy
   std::vector<Point> full_; // the map that the source came with
-  bool is_exact_, has_search_;
+  bool is_exact_, is_placed_, has_search_;
 };
 
 // The finest level alone: sweeps from the map that the source has.
