@@ -134,7 +134,6 @@ private:
 /// First `f`, then `g`.
 /// \pre the target of `f` has the domain points of the source of `g`. Where it has not, since each was registered to
 ///   the other one, take `g(f(x))`.
-/// \relates Correspondence
 template <class Atlas>
 Correspondence<Atlas> compose(const Correspondence<Atlas>& f, const Correspondence<Atlas>& g)
 {

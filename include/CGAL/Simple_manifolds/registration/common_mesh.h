@@ -48,7 +48,6 @@ struct Common_mesh {
 /// them first (`align_shapes()`).
 /// \param weights  one per shape; of sum 1 for a mean, negative ones or above 1 exaggerate
 /// \pre there are as many weights as shapes
-/// \relates Common_mesh
 inline std::vector<Eigen::Vector3d> morph(const Common_mesh& mesh, const std::vector<double>& weights)
 {
   CGAL_precondition(weights.size() == mesh.number_of_shapes());
@@ -63,7 +62,6 @@ inline std::vector<Eigen::Vector3d> morph(const Common_mesh& mesh, const std::ve
 /// The triangulation of one of the shapes as that of all: this shape is exact, the others are sampled.
 /// \param i  the shape whose triangulation it is
 /// \pre `i < set.size()`
-/// \relates Common_mesh
 template <class Atlas>
 Common_mesh common_mesh(const Shape_set<Atlas>& set, std::size_t i = 0)
 {
@@ -167,7 +165,6 @@ private:
 /// \param chord_error  largest distance allowed, a fraction of the diagonal of each shape
 /// \param max_faces  no round of refinement makes more faces: then it ends before the tolerance is met
 /// \pre `i < set.size()`, `chord_error > 0`, no map has virtual faces
-/// \relates Common_mesh
 template <class Atlas>
 Common_mesh common_mesh(const Shape_set<Atlas>& set, std::size_t i, double chord_error,
                         std::size_t max_faces = std::size_t(1) << 20)

@@ -107,7 +107,6 @@ double area_in_diagonals(const Map& map)
 ///
 /// Measures a correspondence. Deterministic. Points that come to lie in a virtual face of the target do not count.
 /// \param samples  the number of points, at least 1
-/// \relates Correspondence
 template <class Atlas>
 Correspondence_distortion distortion(const Correspondence<Atlas>& c, std::size_t samples = 100000)
 {

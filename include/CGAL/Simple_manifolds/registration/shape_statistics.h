@@ -108,7 +108,6 @@ inline double spread(const std::vector<Eigen::Vector3d>& points, const std::vect
 /// \param has_scale  whether the sizes are brought to that of the mean, too
 /// \return what was done to each shape
 /// \tparam Scalar  of the computation
-/// \relates Common_mesh
 template <class Scalar = double>
 std::vector<Similarity> align_shapes(Common_mesh& mesh, bool has_scale = false)
 {

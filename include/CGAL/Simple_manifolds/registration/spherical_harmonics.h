@@ -115,7 +115,6 @@ private:
 /// areas on the sphere and half by those in space. Memory grows with the fourth power of the degree, time as well, times the
 /// number of vertices: degree 32 has 3267 numbers.
 /// \pre `degree >= 0`; there are more vertices than harmonics, (degree + 1)^2
-/// \relates Harmonic_surface
 template <class Scalar = double>
 Harmonic_surface<Scalar> spherical_harmonics(const Manifold_map<Sphere_atlas>& map, int degree)
 {

@@ -33,7 +33,6 @@ namespace Simple_manifolds {
 /// \param on_target  a value per vertex of the target's map
 /// \return a value per vertex of the source's map
 /// \pre there are as many values as vertices
-/// \relates Correspondence
 template <class Atlas, class T>
 std::vector<T> transfer(const Correspondence<Atlas>& c, const std::vector<T>& on_target)
 {
@@ -54,7 +53,6 @@ std::vector<T> transfer(const Correspondence<Atlas>& c, const std::vector<T>& on
 ///
 /// The same for what cannot be mixed, such as labels: the value of the corner that is nearest in barycentric
 /// coordinates.
-/// \relates Correspondence
 template <class Atlas, class T>
 std::vector<T> transfer_nearest(const Correspondence<Atlas>& c, const std::vector<T>& on_target)
 {
@@ -77,7 +75,6 @@ std::vector<T> transfer_nearest(const Correspondence<Atlas>& c, const std::vecto
 /// \param on_target  a value per face of the target's map
 /// \return a value per face of the source's map
 /// \pre there are as many values as faces
-/// \relates Correspondence
 template <class Atlas, class T>
 std::vector<T> transfer_of_faces(const Correspondence<Atlas>& c, const std::vector<T>& on_target)
 {
@@ -101,7 +98,6 @@ std::vector<T> transfer_of_faces(const Correspondence<Atlas>& c, const std::vect
 /// plane of the target's face.
 /// \param at  a point of the source, in a face with area
 /// \param vector  of space; its part in the plane of the face counts
-/// \relates Correspondence
 template <class Atlas>
 Eigen::Vector3d push_forward(const Correspondence<Atlas>& c,
                              const typename Correspondence<Atlas>::Location& at,
