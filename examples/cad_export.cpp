@@ -52,6 +52,13 @@ void add_cad_options(po::options_description& options)
     "metrics", po::value<std::string>(), ".step: JSON file for what is known of the faces");
 }
 
+void throw_no_cad_surface(const std::string& name, int genus)
+{
+  throw SM::Topology_error(SM::Error_code::wrong_genus,
+                           name + ": a surface of genus " + std::to_string(genus) +
+                             " cannot be written as STEP, only disks and those of genus 0 and 1 can");
+}
+
 std::string given_cad_option(const po::variables_map& values)
 {
   for (const char* name : cad_option_names)
@@ -137,15 +144,15 @@ std::string cad_figures(const std::string& file, const Cad_parts& parts)
   return text;
 }
 
-std::vector<std::string> cad_warnings(const SM::Cad_report& r, const SM::Cad_options& cad,
-                                      const SM::Step_options& step)
+std::vector<std::string> cad_warnings(const SM::Cad_report& r, double tolerance, const SM::Step_options& step)
 {
   std::vector<std::string> list;
   if (!r.tolerance_reached)
-    list.push_back("the deviation from the surface is up to " + shown(r.max_deviation) + " (tolerance " +
-                   shown(cad.tolerance) + ") of the diagonal, near " + shown_place(r.worst_point) +
-                   (r.stop == SM::Cad_stop::CONTROLS     ? ": the limit of controls is reached"
-                    : r.stop == SM::Cad_stop::RESOLUTION ? ": cells cannot become smaller"
+    list.push_back("the tolerance was not reached: deviation rms " + shown(r.rms_deviation) + ", max " +
+                   shown(r.max_deviation) + " (tolerance " + shown(tolerance) +
+                   ") of the diagonal, the largest near " + shown_place(r.worst_point) +
+                   (r.stop == SM::Cad_stop::CONTROLS     ? "; the limit of controls is reached"
+                    : r.stop == SM::Cad_stop::RESOLUTION ? "; cells cannot become smaller"
                                                          : ""));
   if (r.singular_points > 0)
     list.push_back("at " + std::to_string(r.singular_points) +

@@ -48,6 +48,9 @@ std::string given_cad_option(const po::variables_map& values);
 /// \throw po::error
 Cad_request cad_request(const po::variables_map& values);
 
+/// \throw SM::Topology_error  `wrong_genus`: there is no CAD surface of this genus
+[[noreturn]] void throw_no_cad_surface(const std::string& name, int genus);
+
 /// Approximates a surface.
 /// \throw SM::Topology_error  `wrong_genus`: there is no CAD surface over its canonical surface
 template <class Surface>
@@ -64,9 +67,7 @@ void add_cad_part(const Surface& surface, const std::string& name, const SM::Cad
                                                .cad_report(std::ref(report)))});
     parts.reports.push_back(report);
   } else {
-    throw SM::Topology_error(SM::Error_code::wrong_genus,
-                             name + ": a surface of genus " + std::to_string(surface.atlas().genus()) +
-                               " cannot be written as STEP, only disks and those of genus 0 and 1 can");
+    throw_no_cad_surface(name, surface.atlas().genus());
   }
 }
 
@@ -76,7 +77,7 @@ Json metrics_of_cad(const SM::Cad_report& report, const SM::Cad_options& cad, co
 std::string cad_figures(const std::string& file, const Cad_parts& parts);
 
 /// What the user should know of a body: deviations, places without a normal, a size that is not for CAD.
-std::vector<std::string> cad_warnings(const SM::Cad_report& report, const SM::Cad_options& cad,
+std::vector<std::string> cad_warnings(const SM::Cad_report& report, double tolerance,
                                       const SM::Step_options& step);
 
 } // namespace tools

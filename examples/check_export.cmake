@@ -52,6 +52,36 @@ foreach(options "" "--subdivisions;5")
   endif()
 endforeach()
 
+# For CAD: a solid; its figures; a tolerance that is out of reach; and bodies that are fitted to the mesh.
+exports("s.json;s.step" ${surface} -o ${out}.step --cad-tolerance 0.01 --unit inch --scale 2 --name ball --max-faces 6
+        --face-cost 100 --schema ap242 --colour 1,0.5,0 --metrics ${out}.json)
+run(0 ${EXPORT_SURFACE} ${surface} -o ${WORK}/a.stp)
+file(STRINGS ${WORK}/a.stp solids REGEX "MANIFOLD_SOLID_BREP\\('a',")
+file(STRINGS ${WORK}/a.stp faces REGEX "ADVANCED_FACE")
+list(LENGTH faces count)
+if(NOT solids OR NOT count EQUAL 6)
+  message(SEND_ERROR "a.stp has ${count} faces, and the solids \"${solids}\"")
+endif()
+run(0 ${EXPORT_SURFACE} ${surface} -o ${WORK}/b.stp --name a)
+run(0 ${CMAKE_COMMAND} -E compare_files ${WORK}/a.stp ${WORK}/b.stp) # deterministic
+run(0 ${FIT_MESH} ${MESHES}/torus_quad.off -o ${WORK}/torus --tolerance 0.02 --quiet --cad ${WORK}/torus.step)
+run(0 ${EXPORT_SURFACE} ${WORK}/torus -o ${WORK}/whole.step --max-faces 1)
+file(STRINGS ${WORK}/whole.step seams REGEX "SEAM_CURVE")
+file(STRINGS ${WORK}/torus.step faces REGEX "ADVANCED_FACE")
+list(LENGTH seams count)
+list(LENGTH faces nine)
+if(NOT count EQUAL 2 OR NOT nine EQUAL 9)
+  message(SEND_ERROR "the torus has ${nine} faces, its whole one ${count} seams")
+endif()
+foreach(wrong "--cad-tolerance 0" "--unit mile" "--scale 0" "--schema ap203" "--colour 1,2,3" "--max-faces 0"
+              "--face-cost -1" "--map ${map}" "--subdivisions 5" "--texture checker")
+  separate_arguments(wrong)
+  run(2 ${EXPORT_SURFACE} ${surface} -o ${out}.step ${wrong})
+endforeach()
+run(2 ${EXPORT_SURFACE} ${map} -o ${out}.step)
+run(2 ${EXPORT_SURFACE} ${surface} -o ${out}.ply --unit mm)
+run(2 ${EXPORT_SURFACE} ${surface} -o ${out}.step --metrics ${surface})
+
 run(0 ${EXPORT_SURFACE} --help)
 
 # Properties of the mesh go on, or are named; z points upwards unless it is y.

@@ -277,7 +277,8 @@ int write_step(Request request)
     metrics.push_back(tools::metrics_of_cad(report, request.cad.cad, request.cad.step));
     metrics.back()["name"] = parts.bodies[k].name;
     if (!report.tolerance_reached) status = 1;
-    for (const std::string& warning : tools::cad_warnings(report, request.cad.cad, request.cad.step))
+    for (const std::string& warning :
+         tools::cad_warnings(report, request.cad.cad.tolerance, request.cad.step))
       std::cerr << "export_surface: " << (parts.bodies.size() > 1 ? parts.bodies[k].name + ": " : "")
                 << warning << std::endl;
   }

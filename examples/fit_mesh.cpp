@@ -1,19 +1,25 @@
 // Maps a mesh onto the canonical surface of its genus, fits a smooth surface to it and writes both, a
 // tessellation, figures and samples into a folder.
 
+#include "cad_export.h"
 #include "fit_files.h"
 #include "fit_request.h"
 #include "parts.h"
 #include "program_tools.h"
 #include "square_corners.h"
 
+#include <CGAL/Simple_manifolds/IO/Atomic_file.h>
+#include <CGAL/Simple_manifolds/IO/write_step.h>
+#include <CGAL/Simple_manifolds/cad/fit_cad_surface.h>
 #include <CGAL/Simple_manifolds/embedding/correct_parameters.h>
 #include <CGAL/Simple_manifolds/embedding/fit_components.h>
 #include <CGAL/Simple_manifolds/paper/fit/fit_patch_surface.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
+#include <iostream>
 #include <optional>
 #include <string>
 #include <utility>
@@ -161,6 +167,72 @@ int fit_patches(Job& job, const Parts& maps)
   return write_fits(job, maps, std::move(fits), parameters);
 }
 
+// Fits a body to a map.
+template <class Map>
+void add_fitted_part(const Map& map, const std::string& name, const Fit_request& request, Progress& progress,
+                     Cad_parts& parts)
+{
+  if constexpr (SM::has_cad_surface<typename Map::Atlas>) {
+    SM::Cad_report report;
+    parts.bodies.push_back({name, SM::fit_cad_surface<CGAL::Parallel_if_available_tag>(
+                                    map, SM::parameters::rms_error(request.average)
+                                           .max_error(request.maximum)
+                                           .cad_report(std::ref(report))
+                                           .visitor(std::ref(progress)))});
+    parts.reports.push_back(report);
+  } else {
+    throw_no_cad_surface(name, map.atlas().genus());
+  }
+}
+
+// Fits the bodies for CAD systems to the maps, and says which cannot be served.
+Cad_parts fit_cad(Job& job, const Parts& maps)
+{
+  Cad_parts parts;
+  const std::string stem = std::filesystem::path(job.options.get<std::string>("cad")).stem().string();
+  std::vector<Part_message> messages;
+  job.watch.time("cad", [&] {
+    for (const auto& part : maps) {
+      if (!part.has_value()) continue;
+      const std::string name = maps.size() == 1 ? stem : stem + ' ' + part.name;
+      try {
+        std::visit([&](const auto& map) { add_fitted_part(map, name, job.request, job.progress, parts); },
+                   part.value());
+      } catch (const SM::Error& e) {
+        messages.push_back({maps.size() == 1 ? "" : part.name, std::string("no CAD body: ") + e.what()});
+      }
+    }
+  });
+  say_of_parts("fit_mesh", messages);
+  return parts;
+}
+
+// Writes them. Returns the status.
+int write_cad(const Job& job, const Cad_parts& parts, std::size_t wanted)
+{
+  const std::string file = job.options.get<std::string>("cad");
+  if (parts.bodies.empty()) return PARTLY_SERVED;
+  SM::write_step(file, parts.bodies);
+  if (!job.options.get<bool>("quiet")) std::cout << cad_figures(file, parts) << std::flush;
+  int status = parts.bodies.size() == wanted ? SUCCESS : PARTLY_SERVED;
+  std::vector<Part_message> messages;
+  for (std::size_t k = 0; k < parts.bodies.size(); ++k) {
+    if (!parts.reports[k].tolerance_reached) status = TOLERANCE_NOT_REACHED;
+    for (const std::string& warning : cad_warnings(parts.reports[k], job.request.average, SM::Step_options()))
+      messages.push_back({parts.bodies[k].name, warning});
+  }
+  say_of_parts("fit_mesh", messages);
+  return status;
+}
+
+int fit(Job& job, Parts maps)
+{
+  if (job.request.is_patches) return fit_patches(job, maps);
+  if (job.request.smoothness == 2) // the fastest
+    return fit_hierarchical(job, std::move(maps), SM::Smoothstep_bump<2>());
+  return fit_hierarchical(job, std::move(maps), SM::Any_smoothstep_bump(job.request.smoothness));
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -171,6 +243,10 @@ int main(int argc, char** argv)
     const Fit_request request = fit_request(options);
     const std::size_t asked = asked_parts(options);
     require_outputs(options, request, 1);
+    if (options.has("cad")) {
+      require_not_input(options, options.get<std::string>("cad"));
+      SM::Atomic_file trial(options.get<std::string>("cad")); // leaves no trace
+    }
 
     Stopwatch watch;
     const Input input = watch.time("read", [&] { return read_input(options); });
@@ -184,9 +260,10 @@ int main(int argc, char** argv)
     });
     if (SM::number_of_values(maps) == 0) report_errors("fit_mesh", maps, input); // throws
     Job job{options, request, input, partitions, folder, progress, watch};
-    if (request.is_patches) return fit_patches(job, maps);
-    if (request.smoothness == 2) // the fastest
-      return fit_hierarchical(job, std::move(maps), SM::Smoothstep_bump<2>());
-    return fit_hierarchical(job, std::move(maps), SM::Any_smoothstep_bump(request.smoothness));
+    if (!options.has("cad")) return fit(job, std::move(maps));
+    const Cad_parts cad = fit_cad(job, maps);
+    const std::size_t wanted = maps.size();
+    const int status = fit(job, std::move(maps));
+    return (std::max)(status, write_cad(job, cad, wanted));
   });
 }

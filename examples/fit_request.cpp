@@ -52,6 +52,10 @@ Command_line fit_command_line()
   options.add("correct-parameters", po::bool_switch(),
               "move the vertices in the domain to where the surface is closest, and fit once more");
   options.add("samples", po::value<long>()->default_value(0), "write this many random points of the surface");
+  options.add(
+    "cad", po::value<std::string>(),
+    "FILE.step: write the bodies for CAD systems too, as few B-spline faces within the tolerance, which\n"
+    "are fitted to the mesh apart from the surface (export_surface has more options)");
   return options;
 }
 

@@ -1,3 +1,4 @@
+#include "cad/thorny_sphere.h"
 #include "catch.h"
 #include "embedding/analytic_embeddings.h"
 
@@ -74,28 +75,6 @@ bool are_equal(const SM::Cad_surface& a, const SM::Cad_surface& b)
     equal = a.faces()[f].controls == b.faces()[f].controls && a.faces()[f].knots_u == b.faces()[f].knots_u;
   return equal;
 }
-
-// The sphere with a thorn at (2,-1,2)/3: the radius is 1 + exp(-50 |p - thorn|^2).
-struct Thorn : analytic::By_jet<Thorn> {
-  explicit Thorn(int c) : chart(c) {}
-
-  template <int Order = 2>
-  SM::Jet jet(const Vector2d& uv) const
-  {
-    const SM::Jet p = SM::Sphere_atlas().chart(chart).point_jet(uv);
-    const Vector3d d = p.value - Vector3d(2, -1, 2) / 3;
-    const double f = std::exp(-50 * d.squaredNorm());
-    const auto slope = [&](const Vector3d& a) { return -100 * d.dot(a); };
-    const auto second = [&](const Vector3d& a, const Vector3d& b, const Vector3d& ab) {
-      return f * (slope(a) * slope(b) - 100 * (a.dot(b) + d.dot(ab)));
-    };
-    return product(SM::Scalar_jet{1 + f, f * slope(p.u), f * slope(p.v), second(p.u, p.u, p.uu),
-                                  second(p.u, p.v, p.uv), second(p.v, p.v, p.vv)},
-                   p);
-  }
-
-  int chart;
-};
 
 // A surface of which no point is one.
 struct Broken : analytic::By_jet<Broken> {
@@ -215,9 +194,7 @@ TEST_CASE("What is a spline already is found again, in one face")
 
 TEST_CASE("Sides with several edges: what is fine in one place is cut off where that saves controls")
 {
-  std::vector<Thorn> charts;
-  for (int c = 0; c < SM::Sphere_atlas::number_of_charts(); ++c) charts.emplace_back(c);
-  const SM::Manifold_surface<SM::Sphere_atlas, Thorn> body(charts);
+  const auto body = analytic::thorny_sphere();
   const auto faces = [&](double cost) {
     const SM::Cad_surface c = SM::cad_surface(body, SM::parameters::cad_tolerance(1e-3).face_cost(cost));
     CHECK(check_borders(c) == 2);

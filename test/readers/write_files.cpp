@@ -1,9 +1,10 @@
 // Usage: write_files FOLDER
 //
 // Writes a tessellation and the mesh of a map of each genus in all formats, and as expected.json what they
-// hold.
+// hold; and surfaces as STEP files, with expected_step.json.
 
 #include "../IO/sample_maps.h"
+#include "../cad/thorny_sphere.h"
 
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
 #include <CGAL/Simple_manifolds/IO/charted_components.h>
@@ -12,7 +13,10 @@
 #include <CGAL/Simple_manifolds/IO/write_gltf.h>
 #include <CGAL/Simple_manifolds/IO/write_obj.h>
 #include <CGAL/Simple_manifolds/IO/write_ply.h>
+#include <CGAL/Simple_manifolds/IO/write_step.h>
 #include <CGAL/Simple_manifolds/IO/write_vtp.h>
+
+#include <CGAL/Simple_manifolds/cad/surface_to_cad.h>
 
 #include <nlohmann/json.hpp>
 
@@ -20,8 +24,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -77,6 +84,29 @@ void write(const std::string& folder, const Surface& surface, Json& expected)
   write(folder, name + "_map", SM::charted_mesh(map, surface), expected);
 }
 
+// Surfaces as the bodies of a STEP file, in inches.
+template <class NamedParameters, class... Surface>
+void write_step(const std::string& folder, const std::string& name, Json& expected, const NamedParameters& np,
+                const Surface&... surface)
+{
+  std::vector<SM::Step_body> bodies;
+  Json& e = expected[name];
+  e = {{"solids", 0}, {"shells", 0}, {"faces", 0}, {"volume", 0.}, {"diagonal", 0.}, {"unit", 25.4}};
+  const auto add = [&](const auto& s) {
+    SM::Cad_report report;
+    bodies.push_back({name, SM::cad_surface(s, np.cad_report(std::ref(report)))});
+    e["solids"] = e["solids"].template get<int>() + bodies.back().surface.is_closed();
+    e["shells"] = e["shells"].template get<int>() + 1;
+    e["faces"] = e["faces"].template get<std::size_t>() + report.faces;
+    e["volume"] = e["volume"].template get<double>() + report.volume;
+    e["diagonal"] = report.diagonal;
+  };
+  (add(surface), ...);
+  SM::Step_options options;
+  options.unit = SM::Step_unit::INCH;
+  SM::write_step(folder + '/' + name + ".step", bodies, options);
+}
+
 } // namespace
 
 int main(int, char** argv)
@@ -97,4 +127,14 @@ int main(int, char** argv)
   several.fields.clear();
   write(folder, "several", several, expected);
   std::ofstream(folder + "/expected.json") << expected;
+
+  Json steps;
+  const auto tolerance = SM::parameters::cad_tolerance(1e-3);
+  write_step(folder, "shell", steps, tolerance, paraboloid());
+  write_step(folder, "solid", steps, tolerance, ellipsoid(Eigen::Vector3d(1, 2, 3)));
+  write_step(folder, "finely_cut", steps, tolerance.face_cost(0.), analytic::thorny_sphere()); // T-junctions
+  write_step(folder, "nine", steps, tolerance, ring(3, 1));
+  write_step(folder, "one", steps, tolerance.max_faces(std::size_t(1)), ring(3, 1));
+  write_step(folder, "two_bodies", steps, tolerance, ellipsoid(Eigen::Vector3d(1, 2, 3)), ring(9, 1));
+  std::ofstream(folder + "/expected_step.json") << steps;
 }

@@ -99,8 +99,7 @@ Cad_surface cad_surface(const Surface& surface, const NamedParameters& np = para
   const internal::Tile_function function = [&surface](const std::vector<internal::Tile_point>& points) {
     std::vector<typename Atlas::Domain_point> places;
     places.reserve(points.size());
-    for (const internal::Tile_point& p : points)
-      places.push_back(Domain::point(surface.atlas(), p.tile, p.st));
+    for (const internal::Tile_point& p : points) places.push_back(Domain::point(surface.atlas(), p));
     std::vector<Eigen::Vector3d> values;
     values.reserve(points.size());
     surface.template points<ConcurrencyTag>(places, std::back_inserter(values));
@@ -110,7 +109,7 @@ Cad_surface cad_surface(const Surface& surface, const NamedParameters& np = para
   Cad_surface result = internal::approximate(
     Domain::gluing(), function, options, internal::is_parallel<ConcurrencyTag>(),
     [&visitor](double share) { visitor.progress(share); }, report);
-  constexpr double precision = 1e-5; // of the integrals
+  constexpr double precision = 1e-4; // of the integrals
   if constexpr (Atlas::is_closed)
     report.surface_volume =
       std::abs(volume<ConcurrencyTag>(surface, parameters::relative_error(precision)).value);

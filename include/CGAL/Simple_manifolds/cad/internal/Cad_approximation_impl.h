@@ -23,7 +23,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -39,27 +41,33 @@ inline Tile_spline_space cad_space(const Tile_gluing& gluing)
   return Tile_spline_space(gluing, 3, 1, gluing.is_periodic() ? 6 : 4);
 }
 
-// The bounding box of a function.
-inline Eigen::AlignedBox3d box_of(const Tile_gluing& gluing, const Tile_function& function)
+// The bounding box of the points of a surface.
+inline Eigen::AlignedBox3d box_of(const std::vector<Eigen::Vector3d>& points)
 {
-  constexpr int n = 64; // cells per side of a tile
-  std::vector<Tile_point> points;
-  for (int tile = 0; tile < gluing.number_of_tiles(); ++tile)
-    for (int i = 0; i <= n; ++i)
-      for (int j = 0; j <= n; ++j) points.push_back({tile, Eigen::Vector2d(i, j) / n});
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& x : function(points)) {
+  for (const Eigen::Vector3d& x : points) {
     if (!x.allFinite())
       throw Geometry_error(Error_code::non_finite_coordinate, "the surface has points that are not finite");
     box.extend(x);
   }
-  const double diagonal = box.diagonal().norm();
+  const double diagonal = box.isEmpty() ? 0 : box.diagonal().norm();
   if (!(diagonal > 0))
     throw Geometry_error(Error_code::zero_extent,
                          "the surface is a point: tolerances relative to its diagonal have no meaning");
   if (!std::isfinite(diagonal))
     throw Geometry_error(Error_code::extent_out_of_range, "the diagonal of the surface is not finite");
   return box;
+}
+
+// A grid on all tiles.
+inline std::vector<Tile_point> grid_of_tiles(const Tile_gluing& gluing)
+{
+  constexpr int n = 64; // cells per side of a tile
+  std::vector<Tile_point> points;
+  for (int tile = 0; tile < gluing.number_of_tiles(); ++tile)
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j) points.push_back({tile, Eigen::Vector2d(i, j) / n});
+  return points;
 }
 
 // Samples of a function, in units of the diagonal, at the same points of each cell.
@@ -152,28 +160,16 @@ inline void measure_deviation(const Cad_surface& surface, const Tile_function& f
   report.rms_deviation = std::sqrt(sum / double(values.size()));
 }
 
-CGAL_SIMPLE_MANIFOLDS_INLINE Cad_surface approximate(const Tile_gluing& gluing, const Tile_function& function,
-                                                     const Cad_options& options, bool has_threads,
-                                                     const Cad_progress& progress, Cad_report& report)
+// Gauss's points of a cell: enough to determine the functions on it.
+inline std::vector<Eigen::Vector2d> nodes_of_cell(int degree)
 {
-  report = Cad_report();
-  const Eigen::AlignedBox3d box = box_of(gluing, function);
-  const Eigen::Vector3d origin = box.center();
-  report.diagonal = box.diagonal().norm();
+  return degree == 5 ? products(Gauss_rule<6>().nodes) : products(Gauss_rule<4>().nodes);
+}
 
-  constexpr double margin = 0.95; // for what is between the points where the error is looked at
-  const Tile_spline_space space = cad_space(gluing);
-  Tile_spline_fit::Options fit_options;
-  fit_options.max_error = margin * options.tolerance;
-  fit_options.rms_error = (std::numeric_limits<double>::infinity)();
-  fit_options.max_functions = options.max_controls;
-  fit_options.is_smooth_across_tiles = gluing.number_of_tiles() > 1;
-  fit_options.has_threads = has_threads;
-  const auto nodes = space.degree() == 5 ? products(Gauss_rule<6>().nodes) : products(Gauss_rule<4>().nodes);
-  // a fit that is within the tolerance at the nodes is tested between them
-  const std::array<double, 8> between = {0, 0.085, 0.25, 0.415, 0.585, 0.75, 0.915, 1};
-  Tile_spline_fit fit(space, fit_options, Function_samples(space, function, box, nodes),
-                      Function_samples(space, function, box, products(between)));
+// Refines until the fit is good, and cuts it into faces.
+inline Cad_surface run(Tile_spline_fit& fit, const Cad_options& options, const Eigen::Vector3d& origin,
+                       const Cad_progress& progress, Cad_report& report)
+{
   double done = 0;
   do {
     fit.solve();
@@ -190,10 +186,121 @@ CGAL_SIMPLE_MANIFOLDS_INLINE Cad_surface approximate(const Tile_gluing& gluing, 
   report.faces = surface.faces().size();
   report.edges = surface.edges().size();
   report.controls = surface.number_of_controls();
-  measure_deviation(surface, function, report);
   measure_faces(surface, origin, report);
   measure_edges(surface, report);
+  return surface;
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE Cad_surface approximate(const Tile_gluing& gluing, const Tile_function& function,
+                                                     const Cad_options& options, bool has_threads,
+                                                     const Cad_progress& progress, Cad_report& report)
+{
+  report = Cad_report();
+  const Eigen::AlignedBox3d box = box_of(function(grid_of_tiles(gluing)));
+  report.diagonal = box.diagonal().norm();
+
+  constexpr double margin = 0.95; // for what is between the points where the error is looked at
+  const Tile_spline_space space = cad_space(gluing);
+  Tile_spline_fit::Options fit_options;
+  fit_options.max_error = margin * options.tolerance;
+  fit_options.rms_error = (std::numeric_limits<double>::infinity)();
+  fit_options.max_functions = options.max_controls;
+  fit_options.is_smooth_across_tiles = gluing.number_of_tiles() > 1;
+  fit_options.has_threads = has_threads;
+  // a fit that is within the tolerance at the nodes is tested between them
+  const std::array<double, 8> between = {0, 0.085, 0.25, 0.415, 0.585, 0.75, 0.915, 1};
+  Tile_spline_fit fit(space, fit_options,
+                      Function_samples(space, function, box, nodes_of_cell(space.degree())),
+                      Function_samples(space, function, box, products(between)));
+  Cad_surface surface = run(fit, options, box.center(), progress, report);
+  measure_deviation(surface, function, report);
   report.tolerance_reached = report.max_deviation <= options.tolerance;
+  progress(1);
+  return surface;
+}
+
+// Points by the cells that they are in; the function at the nodes of each cell steadies the fit where they are few.
+class Point_samples {
+public:
+  Point_samples(const Tile_spline_space& space, const Placed_points& points, const Tile_function& function,
+                const Eigen::AlignedBox3d& box)
+    : nodes_(space, function, box, nodes_of_cell(space.degree())), space_(space), points_(points),
+      origin_(box.center()), scale_(box.diagonal().norm())
+  {
+    for (std::size_t k = 0; k < points.places.size(); ++k)
+      in_cell_[cell_of(points.places[k], 0).key()].push_back(k);
+  }
+
+  std::vector<Cell_samples> operator()(const std::vector<Tile_cell>& cells)
+  {
+    constexpr double steadying = 0.1;
+    std::vector<Cell_samples> nodes = nodes_(cells), samples(cells.size());
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      Cell_samples& s = samples[k];
+      for (const std::size_t p : points_in(cells[k])) {
+        s.places.push_back(points_.places[p].st);
+        s.values.push_back((points_.points[p] - origin_) / scale_);
+      }
+      s.measured = s.places.size();
+      s.steadying = steadying;
+      s.places.insert(s.places.end(), nodes[k].places.begin(), nodes[k].places.end());
+      s.values.insert(s.values.end(), nodes[k].values.begin(), nodes[k].values.end());
+    }
+    return samples;
+  }
+
+private:
+  Tile_cell cell_of(const Tile_point& p, int level) const
+  {
+    const int n = space_.cells(level);
+    const auto index = [n](double x) { return std::clamp(int(x * n), 0, n - 1); };
+    return {level, p.tile, index(p.st[0]), index(p.st[1])};
+  }
+
+  const std::vector<std::size_t>& points_in(const Tile_cell& c)
+  {
+    if (c.level > 0) {
+      const Tile_cell parent = {c.level - 1, c.tile, c.i / 2, c.j / 2};
+      const std::vector<std::size_t> points = points_in(parent); // a copy, since the table grows
+      if (in_cell_.count(c.key()) == 0)
+        for (const std::size_t p : points) {
+          const Tile_cell d = cell_of(points_.places[p], c.level);
+          if (d.i == c.i && d.j == c.j) in_cell_[c.key()].push_back(p);
+        }
+    }
+    return in_cell_[c.key()];
+  }
+
+  Function_samples nodes_;
+  Tile_spline_space space_; // as it is at first: for the sizes of cells
+  const Placed_points& points_;
+  Eigen::Vector3d origin_;
+  double scale_;
+  std::unordered_map<std::uint64_t, std::vector<std::size_t>> in_cell_;
+};
+
+CGAL_SIMPLE_MANIFOLDS_INLINE Cad_surface fit_points(const Tile_gluing& gluing, const Placed_points& points,
+                                                    const Tile_function& function, double rms_error,
+                                                    double max_error, const Cad_options& options,
+                                                    bool has_threads, const Cad_progress& progress,
+                                                    Cad_report& report)
+{
+  report = Cad_report();
+  const Eigen::AlignedBox3d box = box_of(points.points);
+  report.diagonal = box.diagonal().norm();
+  const Tile_spline_space space = cad_space(gluing);
+  Tile_spline_fit::Options fit_options;
+  fit_options.max_error = max_error;
+  fit_options.rms_error = rms_error;
+  fit_options.max_functions = options.max_controls;
+  fit_options.is_smooth_across_tiles = gluing.number_of_tiles() > 1;
+  fit_options.has_threads = has_threads;
+  Tile_spline_fit fit(space, fit_options, Point_samples(space, points, function, box), {});
+  Cad_surface surface = run(fit, options, box.center(), progress, report);
+  report.rms_deviation = fit.rms_error();
+  report.max_deviation = fit.max_error();
+  report.worst_point = box.center() + report.diagonal * fit.worst_value();
+  report.tolerance_reached = report.rms_deviation <= rms_error && report.max_deviation <= max_error;
   progress(1);
   return surface;
 }

@@ -15,11 +15,20 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
+
 namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-/// The tiles of a canonical surface in the coordinates in which CAD surfaces are splines.
+/// A point of a tile.
+struct Tile_point {
+  int tile;
+  Eigen::Vector2d st;
+};
+
+/// The tiles of a canonical surface in the coordinates in which CAD surfaces are splines: the domain point of a point of
+/// a tile, and a point of a tile that a domain point is.
 template <class Atlas>
 struct Cad_domain {
   static constexpr bool exists = false;
@@ -29,16 +38,21 @@ template <>
 struct Cad_domain<Plane_atlas> {
   static constexpr bool exists = true;
   static Tile_gluing gluing() { return Tile_gluing::plane(); }
-  static Eigen::Vector2d point(const Plane_atlas&, int, const Eigen::Vector2d& st) { return st; }
+  static Eigen::Vector2d point(const Plane_atlas&, const Tile_point& p) { return p.st; }
+  static Tile_point place(const Plane_atlas&, const Eigen::Vector2d& p) { return {0, p}; }
 };
 
 template <>
 struct Cad_domain<Torus_atlas> {
   static constexpr bool exists = true;
   static Tile_gluing gluing() { return Tile_gluing::torus(); }
-  static Eigen::Vector2d point(const Torus_atlas& atlas, int, const Eigen::Vector2d& st)
+  static Eigen::Vector2d point(const Torus_atlas& atlas, const Tile_point& p)
   {
-    return atlas.canonical(st);
+    return atlas.canonical(p.st);
+  }
+  static Tile_point place(const Torus_atlas& atlas, const Eigen::Vector2d& p)
+  {
+    return {0, atlas.canonical(p)};
   }
 };
 
@@ -46,9 +60,16 @@ template <>
 struct Cad_domain<Sphere_atlas> {
   static constexpr bool exists = true;
   static Tile_gluing gluing() { return Tile_gluing::cube(); }
-  static Eigen::Vector3d point(const Sphere_atlas&, int tile, const Eigen::Vector2d& st)
+  static Eigen::Vector3d point(const Sphere_atlas&, const Tile_point& p)
   {
-    return Cube_face(tile).point(st).normalized();
+    return Cube_face(p.tile).point(p.st).normalized();
+  }
+  static Tile_point place(const Sphere_atlas& atlas, const Eigen::Vector3d& p)
+  {
+    const int tile = atlas.tile(p);
+    const Cube_face face(tile);
+    const Eigen::Vector2d x = Eigen::Vector2d(p[face.first], p[face.second]) / std::abs(p[face.axis]);
+    return {tile, (x + Eigen::Vector2d::Ones()) / 2};
   }
 };
 

@@ -61,12 +61,15 @@ public:
   const Tile_spline& spline() const { return spline_; }
   double rms_error() const { return rms_; }
   double max_error() const { return max_; }
+  /// The sample with the largest error.
+  const Eigen::Vector3d& worst_value() const { return worst_; }
   Stop stop() const { return stop_; }
 
 private:
   struct Error {
     double sum = 0, max = 0; // of squares, of distances
     std::size_t count = 0;
+    Eigen::Vector3d worst = Eigen::Vector3d::Zero();
   };
 
   Error error(const Tile_spline_space::Leaf& leaf, const Cell_samples& samples) const;
@@ -80,6 +83,7 @@ private:
   std::unordered_map<std::uint64_t, Cell_samples> samples_, checks_;
   std::vector<Error> errors_; // per leaf
   double rms_ = 0, max_ = 0;
+  Eigen::Vector3d worst_ = Eigen::Vector3d::Zero();
   Stop stop_ = Stop::TOLERANCE;
 };
 

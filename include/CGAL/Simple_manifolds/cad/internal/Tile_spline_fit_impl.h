@@ -143,7 +143,9 @@ Tile_spline_fit::error(const Tile_spline_space::Leaf& leaf, const Cell_samples& 
     for (std::size_t l = 0; l < leaf.functions.size(); ++l)
       x += rows(Eigen::Index(l), 0) * spline_.coefficients.row(leaf.functions[l].function).transpose();
     e.sum += x.squaredNorm();
-    e.max = (std::max)(e.max, x.norm());
+    if (x.norm() <= e.max) continue;
+    e.max = x.norm();
+    e.worst = samples.values[k];
   }
   e.count = samples.measured;
   return e;
@@ -184,7 +186,9 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Tile_spline_fit::solve()
   for (const Error& e : errors_) {
     sum += e.sum;
     count += e.count;
-    max_ = (std::max)(max_, e.max);
+    if (e.max <= max_) continue;
+    max_ = e.max;
+    worst_ = e.worst;
   }
   rms_ = count > 0 ? std::sqrt(sum / double(count)) : 0;
 }
