@@ -52,6 +52,17 @@ foreach(options "" "--subdivisions;5")
   endif()
 endforeach()
 
+exports("s.obj" ${surface} -o ${out}.obj --subd 4)
+run(0 ${EXPORT_SURFACE} ${surface} -o ${WORK}/cage.obj --subd 4)
+file(STRINGS ${WORK}/cage.obj quads REGEX "^f [0-9]+ [0-9]+ [0-9]+ [0-9]+$")
+list(LENGTH quads count)
+if(NOT count EQUAL 96)
+  message(SEND_ERROR "a cage of 4 cells per side has ${count} quads")
+endif()
+run(2 ${EXPORT_SURFACE} ${surface} -o ${out}.obj --subd 1)
+run(2 ${EXPORT_SURFACE} ${surface} -o ${out}.glb --subd 4)
+run(2 ${EXPORT_SURFACE} ${map} -o ${out}.obj --subd 4)
+
 # For CAD: a solid; its figures; a tolerance that is out of reach; and bodies that are fitted to the mesh.
 exports("s.json;s.step" ${surface} -o ${out}.step --cad-tolerance 0.01 --unit inch --scale 2 --name ball --max-faces 6
         --face-cost 100 --schema ap242 --colour 1,0.5,0 --metrics ${out}.json)

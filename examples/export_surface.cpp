@@ -11,10 +11,12 @@
 #include <CGAL/Simple_manifolds/IO/component_surfaces_io.h>
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/IO/png_images.h>
+#include <CGAL/Simple_manifolds/IO/write_cages.h>
 #include <CGAL/Simple_manifolds/IO/write_gltf.h>
 #include <CGAL/Simple_manifolds/IO/write_obj.h>
 #include <CGAL/Simple_manifolds/IO/write_ply.h>
 #include <CGAL/Simple_manifolds/IO/write_vtp.h>
+#include <CGAL/Simple_manifolds/cad/subdivision_cage.h>
 #include <CGAL/Simple_manifolds/tessellation/Chart_textures.h>
 
 #include <boost/program_options.hpp>
@@ -45,6 +47,7 @@ struct Request {
   double chord_error; // 0: none
   std::size_t parts = 1;
   bool is_step;
+  int subd;               // cells per side of a tile of a cage for subdivision; 0: none
   tools::Cad_request cad; // for STEP
 };
 
@@ -290,6 +293,25 @@ int write_step(Request request)
   return status;
 }
 
+/// Writes cages whose surfaces of Catmull and Clark pass through the surfaces of a file.
+void write_cages(const Request& request)
+{
+  std::vector<std::pair<std::string, SM::Quad_cage>> cages;
+  visit_surfaces(request.input, [&](const auto& surfaces) {
+    for (const auto& part : surfaces)
+      std::visit(
+        [&](const auto& s) {
+          cages.push_back(
+            {part.name, SM::subdivision_cage<CGAL::Parallel_if_available_tag>(s, request.subd)});
+        },
+        part.value());
+  });
+  SM::write_cages(request.output, cages);
+  for (const auto& [name, cage] : cages)
+    std::cout << (cages.size() == 1 ? request.output : name) << ": cage of " << cage.points.size()
+              << " vertices, " << cage.quads.size() << " quads\n";
+}
+
 /// Whether both names lead to one file that exists.
 bool is_same_file(const std::string& a, const std::string& b)
 {
@@ -326,6 +348,10 @@ Request request_of(int argc, char** argv)
     "surface.json or map.ply, as fit_mesh and map_mesh write them, also of several bodies; or FOLDER of "
     "fit_mesh, whose "
     "surface.json it is");
+  options.add_options()(
+    "subd", po::value<int>(&r.subd)->default_value(0, "none"),
+    ".obj: instead a cage of so many quads per side of a tile, whose surface of Catmull and Clark "
+    "passes through the surface");
   tools::add_cad_options(options);
   po::positional_options_description positional;
   positional.add("input", 1);
@@ -355,6 +381,13 @@ Request request_of(int argc, char** argv)
     if (is_map(r)) throw po::error("a .step file is made of a surface, not of a map");
     r.cad = tools::cad_request(values);
   }
+  if (r.subd != 0) {
+    if (r.subd < 2 || r.subd > 256) throw po::error("--subd must be from 2 to 256");
+    if (extension != ".obj" || is_map(r)) throw po::error("--subd makes an .obj file of a surface");
+    for (const char* name : {"map", "texture", "subdivisions", "chord-error", "up"})
+      if (values.count(name) && !values[name].defaulted())
+        throw po::error(std::string("a cage has no --") + name);
+  }
   const auto textures = {"none", "normals", "curvature", "checker"};
   if (std::find(textures.begin(), textures.end(), r.texture) == textures.end())
     throw po::error("--texture is one of none, normals, curvature, checker");
@@ -382,6 +415,10 @@ int main(int argc, char** argv)
   try {
     const Request request = request_of(argc, argv);
     if (request.is_step) return write_step(request);
+    if (request.subd > 0) {
+      write_cages(request);
+      return 0;
+    }
     const auto [mesh, deviation] = export_of_file(request);
     const std::vector<std::string> dropped =
       write(request.output, mesh, request.up == "y" ? SM::Up_axis::Y : SM::Up_axis::Z);

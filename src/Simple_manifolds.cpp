@@ -21,6 +21,7 @@
 #include <CGAL/Simple_manifolds/cad/internal/Smoothness_conditions_impl.h>
 #include <CGAL/Simple_manifolds/cad/internal/Tile_spline_fit_impl.h>
 #include <CGAL/Simple_manifolds/cad/internal/Tile_spline_space_impl.h>
+#include <CGAL/Simple_manifolds/cad/internal/limit_positions_impl.h>
 #include <CGAL/Simple_manifolds/cad/internal/make_cad_surface_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/certify_impl.h>
 #include <CGAL/Simple_manifolds/correspondence/criteria_impl.h>

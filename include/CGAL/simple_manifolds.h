@@ -102,6 +102,7 @@
 #include <CGAL/Simple_manifolds/cad/Cad_report.h>
 #include <CGAL/Simple_manifolds/cad/Cad_surface.h>
 #include <CGAL/Simple_manifolds/cad/fit_cad_surface.h>
+#include <CGAL/Simple_manifolds/cad/subdivision_cage.h>
 #include <CGAL/Simple_manifolds/cad/surface_to_cad.h>
 
 #endif // CGAL_SIMPLE_MANIFOLDS_H
