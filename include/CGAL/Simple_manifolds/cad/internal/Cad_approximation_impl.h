@@ -208,7 +208,7 @@ CGAL_SIMPLE_MANIFOLDS_INLINE Cad_surface approximate(const Tile_gluing& gluing, 
   fit_options.is_smooth_across_tiles = gluing.number_of_tiles() > 1;
   fit_options.has_threads = has_threads;
   // a fit that is within the tolerance at the nodes is tested between them
-  const std::array<double, 8> between = {0, 0.085, 0.25, 0.415, 0.585, 0.75, 0.915, 1};
+  const std::array<double, 12> between = {0, 0.04, 0.12, 0.21, 0.32, 0.44, 0.56, 0.68, 0.79, 0.88, 0.96, 1};
   Tile_spline_fit fit(space, fit_options,
                       Function_samples(space, function, box, nodes_of_cell(space.degree())),
                       Function_samples(space, function, box, products(between)));
