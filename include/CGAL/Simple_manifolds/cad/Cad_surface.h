@@ -51,7 +51,8 @@ struct Cad_face {
   int tile;                              ///< of the canonical surface; 0 on the torus, which is one
   bool is_turned;                        ///< whether (u,v) are the parameters (t,s) of the tile, not (s,t)
   int degree;                            ///< in both directions, at most 5
-  std::vector<double> knots_u, knots_v;  ///< as those of a curve
+  std::vector<double> knots_u;           ///< as those of a curve
+  std::vector<double> knots_v;           ///< the same
   std::vector<Eigen::Vector3d> controls; ///< control (i,j), i along u, is number `i * controls_v() + j`
   std::vector<Use> border;               ///< counterclockwise round the normal
 
