@@ -138,8 +138,9 @@ inline std::vector<Landmark_place> read_landmarks(const std::string& file)
   std::vector<Landmark_place> landmarks;
   if (internal::has_ending(file, ".json")) {
     const nlohmann::json document = internal::parse_document(file, bytes);
-    const internal::Json_field points =
-      internal::Json_field(file, document)["markups"][std::size_t(0)]["controlPoints"];
+    const internal::Json_field markups = internal::Json_field(file, document)["markups"];
+    if (markups.size() == 0) markups.fail("there is no list of points");
+    const internal::Json_field points = markups[std::size_t(0)]["controlPoints"];
     for (std::size_t i = 0; i < points.size(); ++i) {
       const internal::Json_field p = points[i]["position"];
       p.require_size(3);
