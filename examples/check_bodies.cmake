@@ -77,14 +77,6 @@ off(three octahedron triangle torus)
 off(four torus genus2 octahedron triangle)
 off(none genus2 other)
 
-# is(<JSON> <value> <key>...)
-function(is json value)
-  string(JSON found ERROR_VARIABLE error GET "${json}" ${ARGN})
-  if(NOT found STREQUAL value)
-    message(SEND_ERROR "${ARGN}: \"${found}\" instead of \"${value}\"")
-  endif()
-endfunction()
-
 # ---- Maps -------------------------------------------------------------------------------------------
 file(MAKE_DIRECTORY ${WORK}/maps)
 run(1 "part-1: the mesh has 1 border loop, is connected, genus 2" ${MAP_MESH} ${WORK}/four.off -o ${WORK}/maps/m.ply

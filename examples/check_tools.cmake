@@ -33,3 +33,11 @@ function(holds folder)
     message(SEND_ERROR "${folder} holds \"${found}\" instead of \"${expected}\"")
   endif()
 endfunction()
+
+# is(<JSON> <value> <key>...): what is there in it.
+function(is json value)
+  string(JSON found ERROR_VARIABLE error GET "${json}" ${ARGN})
+  if(NOT found STREQUAL value)
+    message(SEND_ERROR "${ARGN}: \"${found}\" instead of \"${value}\"")
+  endif()
+endfunction()
