@@ -165,9 +165,8 @@ private:
       const Json& w = metrics_["written"];
       const double largest =
         (std::max)(w["mesh_to_surface"]["max"].get<double>(), w["surface_to_mesh"]["max"].get<double>());
-      line("surface.ply",
-           percent(largest) + " of the diagonal at most from the mesh, " + percent(w["chord_error"]) +
-             " from the surface, " + count(w["faces"], "faces"));
+      line("surface.ply", percent(largest) + " of the diagonal at most from the mesh, " +
+                            percent(w["chord_error"]) + " from the surface");
     }
     if (s.contains("folds") && s["folds"] > 0) line("folds", "at " + count(s["folds"], "faces of the mesh"));
     line("normals", shown(s["normal_deviation"].get<double>() * 180 / 3.14159265358979324) +
