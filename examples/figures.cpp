@@ -129,6 +129,9 @@ private:
   {
     if (metrics_.contains("repair") && metrics_["repair"].contains("sentence"))
       line("repaired", metrics_["repair"]["sentence"]);
+    if (metrics_.contains("reshape"))
+      line("reshaped", "flat parts have small triangles now: " + count(metrics_["reshape"]["faces_before"]) +
+                         " to " + count(metrics_["reshape"]["faces"], "faces"));
     for (const auto& [name, value] : lines_of_reading(input)) line(name, value);
   }
 

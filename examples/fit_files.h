@@ -140,6 +140,7 @@ int write_fits(Job& job, const Parts& maps, Fits<AnySurface> fits, const Json& p
     visit_both(maps[k].value(), part.value(), [&](const auto& map, const auto& surface) {
       Json own;
       own["input"] = metrics_of_input(job.input, part, map);
+      if (!job.input.reshape.is_null()) own["reshape"] = job.input.reshape;
       own["repair"] = metrics_of_repair(job.input.repair);
       own["map"] = metrics_of_map(map, job.watch);
       if (!job.partitions.empty()) own["partition"] = job.partitions[k];

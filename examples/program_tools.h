@@ -144,6 +144,7 @@ struct Input {
   SM::Mesh_topology topology; // of the repaired mesh
   SM::Repair_report repair;   // what was done to the file's one
   SM::Read_report read;       // what the file has beside it
+  Json reshape;               // what fit_mesh did to its triangles; null for nothing
 };
 
 /// What --repair and --weld ask for.
