@@ -6,6 +6,7 @@
 #include "fit_request.h"
 #include "parts.h"
 #include "program_tools.h"
+#include "reshape.h"
 #include "square_corners.h"
 
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
@@ -65,6 +66,7 @@ int fit_hierarchical(Job& job, Parts maps, const Bump& bump)
                 .fairness(request.fairness)
                 .fit_target(request.target)
                 .crease_angle(request.crease_angle)
+                .fit_effort(request.effort)
                 .fit_reports(std::ref(fits.reports))
                 .visitor(std::ref(job.progress)));
     });
@@ -89,6 +91,7 @@ int fit_hierarchical(Job& job, Parts maps, const Bump& bump)
                      {"fairness", request.fairness},
                      {"target", job.options.get<std::string>("target")},
                      {"crease_angle", request.crease_angle},
+                     {"fit_effort", job.options.get<std::string>("fit-effort")},
                      {"marking", job.options.get<std::string>("marking")},
                      {"economy", job.options.get<bool>("economy")},
                      {"correct_parameters", job.options.get<bool>("correct-parameters")}});
@@ -249,7 +252,8 @@ int main(int argc, char** argv)
     }
 
     Stopwatch watch;
-    const Input input = watch.time("read", [&] { return read_input(options); });
+    Input input = watch.time("read", [&] { return read_input(options); });
+    watch.time("reshape", [&] { reshape(request, options, input); });
     const std::vector<Mesh::Vertex_index> square_corners = corners(options, input);
     require_outputs(options, request, (std::min)(asked, input.topology.components));
     SM::Atomic_folder folder(options.get<std::string>("output"));

@@ -42,6 +42,14 @@ Command_line fit_command_line()
   options.add("target", po::value<std::string>()->default_value("automatic"),
               "what the errors are measured from: facets (of the mesh), curved (the smooth surface that its\n"
               "vertices are samples of) or automatic (the same with creases)");
+  options.add(
+    "fit-effort", po::value<std::string>()->default_value("fast"),
+    "fast: each point is fitted to the point of the mesh with the same domain point; compact: points may\n"
+    "slide along the surface, and tolerances are those of distances from it: far fewer controls");
+  options.add(
+    "reshape", po::value<std::string>()->default_value("auto"),
+    "whether flat parts of the mesh get small triangles of good shape before it is mapped; then map.ply\n"
+    "has these: auto (for meshes of CAD programs, without properties), always or never");
   options.add("crease-angle", po::value<double>()->default_value(40),
               "edges with a larger angle between the normals of their faces stay creases, degrees");
   options.add("marking", po::value<std::string>()->default_value("all"),
@@ -73,7 +81,7 @@ Fit_request fit_request(const Command_line& options)
   };
   if (r.is_patches)
     for (const char* name : {"smoothness", "max-controls", "marking", "economy", "fairness",
-                             "correct-parameters", "target", "crease-angle"})
+                             "correct-parameters", "target", "crease-angle", "fit-effort", "reshape"})
       refuse(name, "hierarchical");
   else
     refuse("max-patches", "patches");
@@ -96,6 +104,17 @@ Fit_request fit_request(const Command_line& options)
   r.target = target == "facets"   ? SM::Fit_target::FACETS
              : target == "curved" ? SM::Fit_target::CURVED
                                   : SM::Fit_target::AUTOMATIC;
+  const std::string reshape = r.is_patches ? "never" : options.get<std::string>("reshape");
+  options.require(reshape == "auto" || reshape == "always" || reshape == "never", "reshape",
+                  "auto, always or never");
+  r.reshape = reshape == "auto"     ? Fit_request::Reshape::WHERE_NEEDED
+              : reshape == "always" ? Fit_request::Reshape::ALWAYS
+                                    : Fit_request::Reshape::NEVER;
+  if (r.reshape == Fit_request::Reshape::ALWAYS && options.has("corners"))
+    throw Usage_error("--reshape always changes the vertices that --corners names");
+  const std::string effort = options.get<std::string>("fit-effort");
+  options.require(effort == "fast" || effort == "compact", "fit-effort", "fast or compact");
+  r.effort = effort == "fast" ? SM::Fit_effort::FAST : SM::Fit_effort::COMPACT;
   r.crease_angle = options.get<double>("crease-angle");
   options.require(r.crease_angle >= 0 && r.crease_angle <= 180, "crease-angle", "from 0 to 180 degrees");
   const std::string marking = options.get<std::string>("marking");

@@ -20,8 +20,10 @@ struct Fit_request {
   double fairness;
   SM::Marking marking;
   SM::Fit_target target;
+  SM::Fit_effort effort;
   double crease_angle;
   SM::Joint_solve joint;
+  enum class Reshape { NEVER, WHERE_NEEDED, ALWAYS } reshape;
 };
 
 /// Edges with a larger angle are creases of what is fitted, degrees.

@@ -277,7 +277,8 @@ std::vector<float> distortions(const SM::Common_mesh& mesh, const std::vector<Ei
     const double s = a.cross(b).norm(), q = c.cross(d).norm();
     if (!(s > 0) || !(q > 0)) continue;
     const double trace =
-      (a.squaredNorm() * d.squaredNorm() - 2 * a.dot(b) * c.dot(d) + b.squaredNorm() * c.squaredNorm()) / (s * s);
+      (a.squaredNorm() * d.squaredNorm() - 2 * a.dot(b) * c.dot(d) + b.squaredNorm() * c.squaredNorm()) /
+      (s * s);
     for (const int v : t) {
       sum[v] += s * std::log2(trace * (1 + s * s / (q * q)) / 4) / 3;
       weight[v] += s;
@@ -315,7 +316,8 @@ void write_shapes_page(const std::string& file, const SM::Shape_set<SM::Sphere_a
   const Frame frame = frame_of(statistics.mean());
   Json positions = Json::array(), modes = Json::array();
   for (const auto& x : common.positions) positions.push_back(shown(x, frame));
-  const std::size_t shown_modes = set.size() > 2 ? (std::min)(statistics.number_of_modes(), std::size_t(3)) : 0;
+  const std::size_t shown_modes =
+    set.size() > 2 ? (std::min)(statistics.number_of_modes(), std::size_t(3)) : 0;
   for (std::size_t m = 0; m < shown_modes; ++m) {
     Eigen::VectorXd c = Eigen::VectorXd::Zero(Eigen::Index(m + 1));
     c[Eigen::Index(m)] = std::sqrt(statistics.variances()[Eigen::Index(m)]);
@@ -331,7 +333,8 @@ void write_shapes_page(const std::string& file, const SM::Shape_set<SM::Sphere_a
                     {"scalar", base_64(distortions(common, statistics.mean()))}};
   SM::Atomic_file output(file);
   std::string text = data.dump(-1, ' ', true, Json::error_handler_t::replace);
-  for (std::size_t i = 0; (i = text.find("</", i)) != std::string::npos;) text.replace(i, 2, "<\\/"); // no end of the script
+  for (std::size_t i = 0; (i = text.find("</", i)) != std::string::npos;)
+    text.replace(i, 2, "<\\/"); // no end of the script
   output.stream() << page_head << text << page_tail;
   output.commit();
 }

@@ -38,8 +38,10 @@
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_fit_impl.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_space_impl.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Leaf_basis_impl.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Normal_distance_solver_impl.h>
 #include <CGAL/Simple_manifolds/embedding/internal/target/Crease_sectors_impl.h>
 #include <CGAL/Simple_manifolds/embedding/internal/target/Local_surface_impl.h>
 #include <CGAL/Simple_manifolds/internal/surface_faults_impl.h>
 #include <CGAL/Simple_manifolds/registration/register_maps_impl.h>
 #include <CGAL/Simple_manifolds/repair/repair_soup_impl.h>
+#include <CGAL/Simple_manifolds/repair/reshape_flat_parts_impl.h>

@@ -53,6 +53,17 @@ enum class Fit_target {
 
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///
+/// How much is done for few controls.
+enum class Fit_effort {
+  /// Each point of the surface is fitted to the point of the mesh with the same domain point; errors are |E - M|.
+  FAST,
+  /// Points may slide along the surface; errors are distances of points of the mesh from the surface. Far fewer
+  /// controls for the same distance.
+  COMPACT
+};
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
 /// What a fit aims at.
 struct Fit_options {
   double rms_error = 2e-3; ///< tolerance of the root mean square, fraction of the diagonal
@@ -64,6 +75,7 @@ struct Fit_options {
   Joint_solve joint_solve = Joint_solve::AT_END; ///< when charts are fitted together
   Marking marking = Marking::ALL_POINTS;         ///< what is brought within the tolerance
   Fit_target target = Fit_target::AUTOMATIC;     ///< what the errors are measured from
+  Fit_effort effort = Fit_effort::FAST;          ///< how much is done for few controls
   /// Edges with a larger angle between the normals of their faces are creases, degrees in [0,180]; edges where a
   /// large face meets a row of narrow ones are, from a tenth of it. Only for `Fit_target::AUTOMATIC`.
   double crease_angle = 40;

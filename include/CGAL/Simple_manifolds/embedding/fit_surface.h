@@ -26,7 +26,7 @@
 
 #define CGAL_SIMPLE_MANIFOLDS_FIT_PARAMETERS                                                                 \
   "rms_error, max_error, spline_degree, bump, max_controls, refinement, joint_solve, marking, fairness, "    \
-  "vertex_weights, fit_target, crease_angle, fit_report"
+  "vertex_weights, fit_target, crease_angle, fit_effort, fit_report"
 
 namespace CGAL {
 namespace Simple_manifolds {
@@ -61,6 +61,7 @@ auto fit_surface(const Map& map, const NamedParameters& np)
   read(options.fairness, internal_np::fairness);
   read(options.target, internal_np::fit_target);
   read(options.crease_angle, internal_np::crease_angle);
+  read(options.effort, internal_np::fit_effort);
   const std::vector<double> no_weights;
   const auto& weights = parameter(np, internal_np::vertex_weights, no_weights);
   options.vertex_weights = std::vector<double>(std::begin(weights), std::end(weights));
@@ -122,6 +123,8 @@ auto fit_surface(const Map& map, const NamedParameters& np)
 ///   \cgalParamNBegin{crease_angle} \cgalParamDescription{the angle between the normals of faces above which
 ///     their edge is a crease of an automatic target} \cgalParamType{`double` in [0,180], degrees}
 ///     \cgalParamDefault{40} \cgalParamNEnd
+///   \cgalParamNBegin{fit_effort} \cgalParamDescription{how much is done for few controls, and which errors the
+///     tolerances refer to} \cgalParamType{`Fit_effort`} \cgalParamDefault{`Fit_effort::FAST`} \cgalParamNEnd
 ///   \cgalParamNBegin{fit_report} \cgalParamDescription{receives errors, counts and times}
 ///     \cgalParamType{`Fit_report`, by `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd
 ///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel} \cgalParamType{model of

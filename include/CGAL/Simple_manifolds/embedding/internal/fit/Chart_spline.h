@@ -51,6 +51,10 @@ public:
   /// The same function in the space over a tree that has all cells of the present one, and more.
   void refine(Cell_tree tree);
 
+  /// Leaves out functions, until it is refined.
+  /// \param is_wanted  per function
+  void restrict_to(const std::vector<char>& is_wanted);
+
   /// Adds `correction(f)` to the coefficient of every function f.
   template <class Correction>
   void add(const Correction& correction)

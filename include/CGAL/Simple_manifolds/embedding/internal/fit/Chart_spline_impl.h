@@ -35,6 +35,17 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Chart_spline::refine(Cell_tree tree)
   update();
 }
 
+CGAL_SIMPLE_MANIFOLDS_INLINE void Chart_spline::restrict_to(const std::vector<char>& is_wanted)
+{
+  std::vector<Eigen::Vector3d> kept;
+  for (int f = 0; f < size(); ++f)
+    if (is_wanted[f]) kept.push_back(coefficients_[f]);
+  coefficients_ = std::move(kept);
+  space_.restrict_to(is_wanted);
+  basis_ = Leaf_basis(tree_, space_);
+  update();
+}
+
 } // namespace internal
 } // namespace Simple_manifolds
 } // namespace CGAL

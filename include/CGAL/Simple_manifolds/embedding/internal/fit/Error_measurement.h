@@ -46,9 +46,10 @@ public:
   {
   }
 
-  /// Measures E - M and fills in the errors of the report; b_c |E_c - M| too.
-  template <class Fit>
-  void measure(bool is_parallel, const Fit& fit, Fit_report& report)
+  /// Measures errors and fills in those of the report; b_c |E_c - M| too.
+  /// \param error  of a point: called with its domain point, its target M and E - M
+  template <class Fit, class Error>
+  void measure(bool is_parallel, const Fit& fit, Fit_report& report, const Error& error)
   {
     points_.find_targets(is_parallel);
     errors_.assign(points_.size(), -1); // of points that are not there
@@ -66,7 +67,7 @@ public:
           sum.disagreement += (w.weight * (own - x)).squaredNorm();
           ++sum.views;
         }
-        errors_[k] = e.norm() / map_.diagonal();
+        errors_[k] = error(p, x, e) / map_.diagonal();
         sum.add(errors_[k]);
         if (face < 0) return;
         corners[count++] = x + e;
@@ -102,6 +103,14 @@ public:
     report.folds = std::size_t(std::count(is_folded_.begin(), is_folded_.end(), 1));
     rms_ = only_vertices_ ? report.vertex_rms_error : report.rms_error;
     max_ = only_vertices_ ? report.vertex_max_error : report.max_error;
+  }
+
+  /// Measures |E - M|.
+  template <class Fit>
+  void measure(bool is_parallel, const Fit& fit, Fit_report& report)
+  {
+    measure(is_parallel, fit, report,
+            [](const Domain_point&, const Eigen::Vector3d&, const Eigen::Vector3d& e) { return e.norm(); });
   }
 
   /// Whether what was measured meets the tolerances.

@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_FIT_SAMPLES_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_FIT_SAMPLES_H
 
+#include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Partition_of_unity.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Cell_tree.h>
@@ -18,6 +19,7 @@
 #include <Eigen/Geometry>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -37,11 +39,14 @@ struct Fit_samples {
   };
 
   std::vector<Eigen::Vector3d> target;
-  std::vector<double> domain;        ///< the share of its chart; of a vertex its weight
-  std::vector<double> area;          ///< of the part of the mesh that it stands for
-  std::vector<int> owner;            ///< the chart whose cell it samples; -1 for a vertex
-  std::vector<std::size_t> begin{0}; ///< of the views of a sample
+  std::vector<Eigen::Vector3d> normal; ///< of the target, of length 1; zero where it has none
+  std::vector<double> domain;          ///< the share of its chart; of a point of the mesh its weight
+  std::vector<double> area;            ///< of the part of the mesh that it stands for
+  std::vector<int> owner;              ///< the chart whose cell it samples; or of_vertex, of_face
+  std::vector<std::size_t> begin{0};   ///< of the views of a sample
   std::vector<View> views;
+
+  static constexpr int of_vertex = -1, of_face = -2; ///< owners of points of the mesh
 
   std::size_t size() const { return target.size(); }
 
@@ -54,10 +59,11 @@ struct Fit_samples {
   }
 
   template <class Weights>
-  void add(const Eigen::Vector3d& x, double domain_share, double area_share, int chart,
-           const Weights& weights)
+  void add(const Eigen::Vector3d& x, const Eigen::Vector3d& direction, double domain_share, double area_share,
+           int chart, const Weights& weights)
   {
     target.push_back(x);
+    normal.push_back(direction.stableNormalized());
     domain.push_back(domain_share);
     area.push_back(area_share);
     owner.push_back(chart);
@@ -69,6 +75,7 @@ struct Fit_samples {
   {
     const std::size_t shift = views.size();
     target.insert(target.end(), other.target.begin(), other.target.end());
+    normal.insert(normal.end(), other.normal.begin(), other.normal.end());
     domain.insert(domain.end(), other.domain.begin(), other.domain.end());
     area.insert(area.end(), other.area.begin(), other.area.end());
     owner.insert(owner.end(), other.owner.begin(), other.owner.end());
@@ -85,6 +92,7 @@ struct Fit_samples {
       const std::size_t last = begin[k + 1];
       if (keep(k, first)) {
         target[to] = target[k];
+        normal[to] = normal[k];
         domain[to] = domain[k];
         area[to] = area[k];
         owner[to] = owner[k];
@@ -94,6 +102,7 @@ struct Fit_samples {
       first = last;
     }
     target.resize(to);
+    normal.resize(to);
     domain.resize(to);
     area.resize(to);
     owner.resize(to);
@@ -123,10 +132,32 @@ public:
   Fit_samples vertices(const std::vector<double>& weights) const
   {
     Fit_samples samples;
+    const std::vector<Eigen::Vector3d> normals = vertex_normals();
     for (std::size_t v = 0; v < map_.number_of_vertices(); ++v)
       if (!map_.is_virtual_vertex(v))
-        samples.add(target_.at_vertex(v), v < weights.size() ? weights[v] : 1., 0, -1,
-                    partition_.weights(map_.domain_point(v)));
+        samples.add(target_.at_vertex(v), normals[v], v < weights.size() ? weights[v] : 1., 0,
+                    Fit_samples::of_vertex, partition_.weights(map_.domain_point(v)));
+    return samples;
+  }
+
+  /// About as many points inside of faces as wanted, in proportion to their areas, one at least; none if there are
+  /// more faces.
+  Fit_samples faces(std::size_t wanted) const
+  {
+    Fit_samples samples;
+    if constexpr (has_facets<Map>) {
+      if (map_.number_of_faces() > wanted) return samples;
+      double total = 0;
+      for (std::size_t f = 0; f < map_.number_of_faces(); ++f)
+        if (!map_.is_virtual(f)) total += facet_normal(f).norm();
+      for (std::size_t f = 0; f < map_.number_of_faces(); ++f) {
+        if (map_.is_virtual(f)) continue;
+        const Eigen::Vector3d n = facet_normal(f);
+        const double share = total > 0 ? n.norm() / total : 0;
+        const int count = 1 + int(share * double(wanted));
+        for (int k = 0; k < count; ++k) add_point(int(f), k, count, n, share / count, samples);
+      }
+    }
     return samples;
   }
 
@@ -169,9 +200,48 @@ private:
                 j1 = j < 2 ? j + 1 : 2;
       const Eigen::Vector3d du = (x[3 * i1 + j] - x[3 * i0 + j]) / (i1 - i0);
       const Eigen::Vector3d dv = (x[3 * i + j1] - x[3 * i + j0]) / (j1 - j0);
-      samples.add(x[k], 1 / (9. * at.side * at.side), du.cross(dv).norm(), at.chart,
-                  partition_.weights(p[k]));
+      const Eigen::Vector3d n = du.cross(dv);
+      samples.add(x[k], n, 1 / (9. * at.side * at.side), n.norm(), at.chart, partition_.weights(p[k]));
     }
+  }
+
+  // The k-th of some points of a face: of a sequence that fills the square evenly (Roberts' R2), folded.
+  void add_point(int face, int k, int count, const Eigen::Vector3d& normal, double share,
+                 Fit_samples& samples) const
+  {
+    typename Map::Location at;
+    at.face = face;
+    if (count == 1) {
+      at.barycentric.setConstant(1. / 3);
+    } else {
+      double s = 0.5 + 0.7548776662466927 * k, t = 0.5 + 0.5698402909980532 * k;
+      s -= std::floor(s);
+      t -= std::floor(t);
+      if (s + t > 1) {
+        s = 1 - s;
+        t = 1 - t;
+      }
+      at.barycentric = Eigen::Vector3d(1 - s - t, s, t);
+    }
+    const auto p = map_.to_domain(at);
+    samples.add(target_(at, p), normal, share, 0, Fit_samples::of_face, partition_.weights(p));
+  }
+
+  // Twice the area long.
+  Eigen::Vector3d facet_normal(std::size_t f) const
+  {
+    const Triangle& t = map_.face(f);
+    return (map_.point(t[1]) - map_.point(t[0])).cross(map_.point(t[2]) - map_.point(t[0]));
+  }
+
+  std::vector<Eigen::Vector3d> vertex_normals() const
+  {
+    std::vector<Eigen::Vector3d> normals(map_.number_of_vertices(), Eigen::Vector3d::Zero());
+    if constexpr (has_facets<Map>)
+      for (std::size_t f = 0; f < map_.number_of_faces(); ++f)
+        if (!map_.is_virtual(f))
+          for (const int v : map_.face(f)) normals[v] += facet_normal(f);
+    return normals;
   }
 
   const Map& map_;

@@ -11,6 +11,7 @@
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Chart_spline.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Normal_distance_solver.h>
 
 #include <Eigen/Core>
 
@@ -46,6 +47,7 @@ public:
   static constexpr double ridge = 1e-7;          ///< on corrections, times the diagonal
   static constexpr double misfit_weight = 1e-3;  ///< of the misfits of single charts in a joint solve
   static constexpr double vertices_weight = 0.3; ///< of all vertices together; that of the cells is 1
+  static constexpr double faces_weight = 1;      ///< of all points of faces
   static constexpr int largest_level = 12;
 
   Hierarchical_fit(int degree, int charts, const Eigen::Vector3d& centre, double fairness, bool is_parallel);
@@ -78,8 +80,14 @@ public:
   /// Fits each of the charts to what it sees, with the weights (b_c + floor)^2.
   void solve_alone(const std::vector<int>& charts);
 
-  /// Fits the blend of all charts, with a small share of what each chart errs alone.
-  void solve_jointly();
+  /// Fits the blend of all charts, with a share of what each chart errs alone.
+  void solve_jointly(double misfit = misfit_weight);
+
+  /// Corrects the blend of all charts: normals and slides of the metrics are given per sample, their weights are not.
+  void solve_normally(std::vector<Residual_metric> metrics, int iterations);
+
+  /// Leaves out the functions that the blend takes less than this part of, at all samples.
+  void prune(double least);
 
   /// E - M at a sample, negated.
   const Eigen::Vector3d& residual(std::size_t sample) const { return residual_[sample]; }
@@ -90,8 +98,9 @@ public:
   std::vector<Mark> marks_alone(const std::vector<int>& charts, double bound, double bulk,
                                 bool only_vertices) const;
 
-  /// The leaves where |E - M| exceeds the bound.
-  std::vector<Mark> marks_jointly(double bound, bool only_vertices) const;
+  /// The leaves where the error exceeds the bound.
+  /// \param errors  per sample
+  std::vector<Mark> marks_jointly(const std::vector<double>& errors, double bound, bool only_vertices) const;
 
   /// Marks where a point with too large an error is in some of its charts: in the one with the largest
   /// blend; in others too if their blend is so large that they can do much about it.

@@ -83,15 +83,56 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::solve_alone(const std::vecto
   evaluate(charts);
 }
 
-CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::solve_jointly()
+CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::solve_jointly(double misfit)
 {
   Normal_equations equations(splines_, all_charts(), is_parallel_);
-  equations.assemble(samples_, joint_weight_, own_weights(misfit_weight), value_, residual_, fairness_);
+  equations.assemble(samples_, joint_weight_, own_weights(misfit), value_, residual_, fairness_);
   const Eigen::MatrixX3d x = equations.solve(ridge);
   bytes_.equations = (std::max)(bytes_.equations, equations.bytes());
   for (std::size_t c = 0; c < splines_.size(); ++c)
     splines_[c].add(
       [&](int f) -> Eigen::Vector3d { return x.row(equations.offset(int(c)) + f).transpose(); });
+  evaluate(all_charts());
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::solve_normally(std::vector<Residual_metric> metrics,
+                                                                   int iterations)
+{
+  for (std::size_t s = 0; s < metrics.size(); ++s) metrics[s].weight = joint_weight_[s];
+  const Normal_distance_solver solver(splines_, samples_, is_parallel_);
+  const std::vector<Eigen::Vector3d> x = solver.solve(metrics, residual_, iterations);
+  std::size_t offset = 0;
+  for (Chart_spline& spline : splines_) {
+    spline.add([&](int f) { return x[offset + f]; });
+    offset += spline.size();
+  }
+  evaluate(all_charts());
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::prune(double least)
+{
+  std::vector<std::vector<double>> largest(splines_.size()); // b_c times the function
+  for (std::size_t c = 0; c < splines_.size(); ++c) largest[c].assign(splines_[c].size(), 0);
+  with_fit_degree(degree_, [&](auto d) {
+    constexpr int D = decltype(d)::value;
+    for (const Fit_samples::View& view : samples_.views) {
+      const Chart_spline& spline = splines_[view.chart];
+      const Leaf_basis& basis = spline.basis();
+      const auto f = local_values<D>(spline.tree(), view.cell, view.uv);
+      for (std::size_t k = basis.begin(view.cell); k < basis.end(view.cell); ++k) {
+        const Leaf_basis::Row& row = basis.row(k);
+        double value = row.local >= 0 ? f[row.local] : 0;
+        for (std::size_t i = 0; i < f.size() && row.local < 0; ++i) value += basis.factors(row)[i] * f[i];
+        double& most = largest[view.chart][row.function];
+        most = (std::max)(most, view.blend * value);
+      }
+    }
+  });
+  for (std::size_t c = 0; c < splines_.size(); ++c) {
+    std::vector<char> is_wanted;
+    for (const double x : largest[c]) is_wanted.push_back(x >= least);
+    splines_[c].restrict_to(is_wanted);
+  }
   evaluate(all_charts());
 }
 
@@ -116,15 +157,15 @@ CGAL_SIMPLE_MANIFOLDS_INLINE std::vector<Mark> Hierarchical_fit::marks_alone(con
   return marks;
 }
 
-CGAL_SIMPLE_MANIFOLDS_INLINE std::vector<Mark> Hierarchical_fit::marks_jointly(double bound,
-                                                                               bool only_vertices) const
+CGAL_SIMPLE_MANIFOLDS_INLINE std::vector<Mark>
+Hierarchical_fit::marks_jointly(const std::vector<double>& errors, double bound, bool only_vertices) const
 {
   std::vector<Mark> marks;
   for (std::size_t s = 0; s < samples_.size(); ++s)
     if (!(only_vertices && samples_.owner[s] >= 0)) {
       const Fit_samples::View *first = &samples_.views[samples_.begin[s]],
                               *last = first + (samples_.begin[s + 1] - samples_.begin[s]);
-      mark_jointly(first, last, residual_[s].norm(), bound, marks);
+      mark_jointly(first, last, errors[s], bound, marks);
     }
   return marks;
 }
@@ -191,18 +232,26 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::descend()
 
 CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::weigh()
 {
-  double area = 0, vertices = 0;
-  for (std::size_t s = 0; s < samples_.size(); ++s)
-    if (samples_.owner[s] < 0)
+  double area = 0, vertices = 0, faces = 0;
+  for (std::size_t s = 0; s < samples_.size(); ++s) switch (samples_.owner[s]) {
+    case Fit_samples::of_vertex:
       vertices += samples_.domain[s];
-    else
+      break;
+    case Fit_samples::of_face:
+      faces += samples_.domain[s];
+      break;
+    default:
       area += samples_.area[s];
+    }
   const double charts = double(splines_.size());
   weight_.resize(samples_.size());
   joint_weight_.resize(samples_.size());
   for (std::size_t s = 0; s < samples_.size(); ++s) {
     if (samples_.owner[s] < 0) {
-      joint_weight_[s] = weight_[s] = vertices > 0 ? vertices_weight * samples_.domain[s] / vertices : 0;
+      const bool is_vertex = samples_.owner[s] == Fit_samples::of_vertex;
+      const double all = is_vertex ? vertices : faces;
+      const double share = all > 0 ? samples_.domain[s] / all : 0;
+      joint_weight_[s] = weight_[s] = (is_vertex ? vertices_weight : faces_weight) * share;
       continue;
     }
     weight_[s] = 0.5 * samples_.domain[s] / charts + (area > 0 ? 0.5 * samples_.area[s] / area : 0);

@@ -40,6 +40,10 @@ public:
   /// The index i*(side+degree)+j of a function in its level.
   std::int64_t index(int level, int function) const { return keys_[level][function - begin_[level]]; }
 
+  /// Leaves out functions; they come back in finer spaces.
+  /// \param is_wanted  per function
+  void restrict_to(const std::vector<char>& is_wanted);
+
   /// The active function (i,j) of a level; -1 if it is not active.
   int find(const Cell_tree& tree, int level, int i, int j) const;
 

@@ -54,6 +54,18 @@ CGAL_SIMPLE_MANIFOLDS_INLINE Hierarchical_space::Hierarchical_space(int degree, 
   }
 }
 
+CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_space::restrict_to(const std::vector<char>& is_wanted)
+{
+  int f = 0;
+  for (std::size_t level = 0; level < keys_.size(); ++level) {
+    std::vector<Key> kept;
+    for (const Key key : keys_[level])
+      if (is_wanted[f++]) kept.push_back(key);
+    keys_[level] = std::move(kept);
+    begin_[level + 1] = begin_[level] + int(keys_[level].size());
+  }
+}
+
 CGAL_SIMPLE_MANIFOLDS_INLINE int Hierarchical_space::find(const Cell_tree& tree, int level, int i,
                                                           int j) const
 {

@@ -14,6 +14,7 @@
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
+#include <CGAL/Simple_manifolds/embedding/closest_point.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Error_measurement.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_progress.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
@@ -86,12 +87,17 @@ private:
 
   bool only_vertices() const { return options_.marking == Marking::VERTICES; }
 
+  // As long as points do not slide, the tolerances are loose if they shall do later.
+  double looseness() const { return options_.effort == Fit_effort::FAST || is_sliding_ ? 1 : 3; }
+  double rms_error() const { return looseness() * options_.rms_error; }
+  double max_error() const { return looseness() * options_.max_error; }
+
   // Where charts alone are good enough. A largest error of 5 times the root mean square is usual; solving
   // jointly makes the largest error two or three times smaller.
   double bound() const
   {
     return (has_single_chart || options_.joint_solve == Joint_solve::NEVER ? 1 : 2) *
-           (std::min)(options_.max_error, 5 * options_.rms_error) * map_.diagonal();
+           (std::min)(max_error(), 5 * rms_error()) * map_.diagonal();
   }
 
   // After many rounds nothing waits any more: then each of them adds many controls, and there are few left.
@@ -118,10 +124,17 @@ private:
 
   void measure(const Fit& fit, const Visitor_reference& visitor)
   {
-    timed(report_.seconds.measuring, [&] { errors_.measure(is_parallel_, fit, report_); });
-    report_.tolerance_reached = errors_.meets(options_.rms_error, options_.max_error);
-    progress_.add(errors_.rms() / (std::max)(options_.rms_error, 1e-300),
-                  errors_.maximum() / (std::max)(options_.max_error, 1e-300), report_.folds, fit.splines());
+    timed(report_.seconds.measuring, [&] {
+      if (!is_sliding_) return errors_.measure(is_parallel_, fit, report_);
+      const Surface surface = this->surface(fit);
+      errors_.measure(is_parallel_, fit, report_,
+                      [&](const auto& p, const Eigen::Vector3d& x, const Eigen::Vector3d&) {
+                        return closest_point_distance(surface, p, x);
+                      });
+    });
+    report_.tolerance_reached = errors_.meets(rms_error(), max_error());
+    progress_.add(errors_.rms() / (std::max)(rms_error(), 1e-300),
+                  errors_.maximum() / (std::max)(max_error(), 1e-300), report_.folds, fit.splines());
     show_progress(report_.max_error * map_.diagonal(), visitor);
   }
 
@@ -240,16 +253,91 @@ private:
     timed(report_.seconds.measuring, [&] {
       const bool is_only_folded = report_.tolerance_reached; // then nothing is above the limit but folds
       const double limit =
-        is_only_folded ? errors_.maximum()
-                       : errors_.bound(options_.rms_error,
-                                       progress_.is_maximum_stuck() && errors_.rms() > options_.rms_error
-                                         ? errors_.maximum()
-                                         : options_.max_error,
-                                       bulk());
-      if (!is_only_folded) marks = fit.marks_jointly(limit * map_.diagonal(), only_vertices());
+        is_only_folded
+          ? errors_.maximum()
+          : errors_.bound(rms_error(),
+                          progress_.is_maximum_stuck() && errors_.rms() > rms_error() ? errors_.maximum()
+                                                                                      : max_error(),
+                          bulk());
+      if (!is_only_folded)
+        marks = fit.marks_jointly(sample_errors(fit), limit * map_.diagonal(), only_vertices());
       errors_.add_marks(fit, limit, only_vertices(), marks);
     });
     return marks;
+  }
+
+  // Per sample.
+  std::vector<double> sample_errors(const Fit& fit) const
+  {
+    std::vector<double> errors(fit.samples().size());
+    if (!is_sliding_) {
+      for (std::size_t s = 0; s < errors.size(); ++s) errors[s] = fit.residual(s).norm();
+      return errors;
+    }
+    const Surface surface = this->surface(fit);
+    for_each_sample(fit, [&](std::size_t s, const Chart_point& at) {
+      errors[s] =
+        closest_point_distance(surface, map_.atlas().point(at), Eigen::Vector3d(fit.samples().target[s]));
+    });
+    return errors;
+  }
+
+  // Calls f(s, a point of the chart with the largest blend) for all samples.
+  template <class F>
+  void for_each_sample(const Fit& fit, const F& f) const
+  {
+    const Fit_samples& samples = fit.samples();
+    parallel_for(is_parallel_, 0, int(samples.size()), [&](int first, int last) {
+      for (int s = first; s < last; ++s) {
+        const auto less = [](const auto& a, const auto& b) { return a.blend < b.blend; };
+        const auto view = std::max_element(samples.views.begin() + samples.begin[s],
+                                           samples.views.begin() + samples.begin[s + 1], less);
+        f(std::size_t(s), Chart_point{view->chart, view->uv});
+      }
+    });
+  }
+
+  Surface surface(const Fit& fit) const { return Surface(embeddings(fit), partition_.bump(), map_.atlas()); }
+
+  // Normals of the surface, but those of the target where they differ much: there points do not slide.
+  std::vector<Residual_metric> metrics(const Fit& fit, double slide) const
+  {
+    std::vector<Residual_metric> metrics(fit.samples().size());
+    const Surface surface = this->surface(fit);
+    for_each_sample(fit, [&](std::size_t s, const Chart_point& at) {
+      const Jet jet = surface.template jet<1>(at);
+      const Eigen::Vector3d n = jet.u.cross(jet.v).stableNormalized(), &m = fit.samples().normal[s];
+      const double cosine = m.isZero() ? 1 : n.dot(m);
+      metrics[s].normal = cosine < 0.3 ? m : n;
+      metrics[s].slide = cosine < 0.5 ? (std::max)(slide, (std::min)(1., 2 * (0.5 - cosine))) : slide;
+    });
+    return metrics;
+  }
+
+  // Lets points slide along the surface: fewer functions are needed.
+  void refine_normally(Fit& fit, const Visitor_reference& visitor)
+  {
+    constexpr double growth = 1.35; // of a round: what the next functions do is seen before more are added
+    constexpr int alternations = 2, iterations = 40;
+    is_sliding_ = true;
+    stop(Fit_stop::TOLERANCE);
+    progress_ = Fit_progress();
+    timed(report_.seconds.sampling, [&] { fit.add(sampler_.faces(face_samples)); });
+    double slide = 0.2;
+    std::vector<int> changed;
+    std::size_t limit;
+    do {
+      timed(report_.seconds.solving_jointly, [&] {
+        fit.prune(least_blend);
+        if (slide > 0.1) fit.solve_jointly(1e-4);
+        for (int k = 0; k < alternations; ++k, slide = 0.05)
+          fit.solve_normally(metrics(fit, slide), iterations);
+      });
+      measure(fit, visitor);
+      limit = (std::min)(max_controls(), std::size_t(growth * double(fit.controls())));
+    } while (!is_done() && refine(fit, joint_marks(fit), changed, limit));
+    if (!report_.tolerance_reached && report_.stop == Fit_stop::TOLERANCE)
+      stop(fit.is_full(max_controls()) ? Fit_stop::CONTROLS : Fit_stop::RESOLUTION);
   }
 
   static std::vector<Hierarchical_embedding> embeddings(const Fit& fit)
@@ -279,7 +367,11 @@ private:
   Error_measurement<Map, Bump> errors_;
   Fit_report report_;
   Fit_progress progress_;
-  int rounds_ = 0;  // of refinement
+  static constexpr double least_blend = 0.03;       // of a function that is kept
+  static constexpr std::size_t face_samples = 6000; // of meshes with few faces
+
+  int rounds_ = 0; // of refinement
+  bool is_sliding_ = false;
   double done_ = 0; // share of the running phase
 };
 
@@ -295,6 +387,7 @@ typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Vis
   visitor.start_phase("fit");
   done_ = 0;
   rounds_ = 0;
+  is_sliding_ = false;
   Fit fit(options_.spline_degree, map_.atlas().number_of_charts(), centre(), options_.fairness, is_parallel_);
   timed(report_.seconds.sampling, [&] { fit.add(sampler_.vertices(options_.vertex_weights)); });
   sample(fit);
@@ -302,6 +395,7 @@ typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Vis
     refine_everywhere(fit, visitor);
   else
     refine_where_needed(fit, visitor);
+  if (options_.effort != Fit_effort::FAST) refine_normally(fit, visitor);
   if (progress_.has_better()) {
     fit.restore(progress_.take_best());
     measure(fit, visitor);
@@ -311,7 +405,7 @@ typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Vis
 
   visitor.start_phase("measure");
   report_.bytes = fit.bytes();
-  Surface surface(embeddings(fit), partition_.bump(), map_.atlas());
+  Surface surface = this->surface(fit);
   timed(report_.seconds.closest_point,
         [&] { errors_.measure_surface(is_parallel_, surface, report_, visitor); });
   visitor.end_phase();
