@@ -10,7 +10,8 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/internal/compiled.h>
-#include <CGAL/Simple_manifolds/registration/internal/Registration.h>
+#include <CGAL/Simple_manifolds/registration/internal/Coarse_to_fine_registration.h>
+#include <CGAL/Simple_manifolds/registration/internal/Registration_polish.h>
 #include <CGAL/Simple_manifolds/registration/register_maps.h>
 
 #include <Eigen/Core>

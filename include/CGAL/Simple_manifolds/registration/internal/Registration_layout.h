@@ -58,9 +58,6 @@ public:
   }
 
   int number_of_vertices() const { return mesh_.number_of_active_vertices(); }
-  const Collapse_hierarchy& mesh() const { return mesh_; }
-  Geometry& geometry() { return geometry_; }
-  const Lift<Geometry>& lift() const { return lift_; }
   const Eigen::Vector3d& image(int v) const { return image_[v]; }
 
   void set_stage(Stage stage)

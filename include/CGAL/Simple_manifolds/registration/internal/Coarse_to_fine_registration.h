@@ -5,113 +5,25 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_REGISTRATION_INTERNAL_REGISTRATION_H
-#define CGAL_SIMPLE_MANIFOLDS_REGISTRATION_INTERNAL_REGISTRATION_H
+#ifndef CGAL_SIMPLE_MANIFOLDS_REGISTRATION_INTERNAL_COARSE_TO_FINE_REGISTRATION_H
+#define CGAL_SIMPLE_MANIFOLDS_REGISTRATION_INTERNAL_COARSE_TO_FINE_REGISTRATION_H
 
-#include <CGAL/Simple_manifolds/correspondence/internal/engine/lay_out.h>
-#include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
-#include <CGAL/Simple_manifolds/internal/bounding_cube.h>
+#include <CGAL/Simple_manifolds/registration/internal/Registered_surface.h>
 #include <CGAL/Simple_manifolds/registration/internal/Registration_layout.h>
 #include <CGAL/Simple_manifolds/registration/internal/rotation_search.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
-
-// Positions with the given total area of the faces and their centroid at the origin.
-inline std::vector<Eigen::Vector3d> positions_of_area(const std::vector<Eigen::Vector3d>& points,
-                                                      const std::vector<Triangle>& faces, double total_area)
-{
-  std::vector<Eigen::Vector3d> x = normalized_points(points);
-  Eigen::Vector3d centroid(0, 0, 0);
-  double sum = 0;
-  for (const Triangle& t : faces) {
-    const double area = (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm() / 2;
-    centroid += area / 3 * (x[t[0]] + x[t[1]] + x[t[2]]);
-    sum += area;
-  }
-  if (!(sum > 1e-150)) return x;
-  centroid /= sum;
-  const double scale = std::sqrt(total_area / sum);
-  for (Eigen::Vector3d& p : x) p = scale * (p - centroid);
-  return x;
-}
-
-// One of two surfaces that are registered.
-template <class Geometry>
-struct Registered_surface {
-  using Point = typename Geometry::Point;
-  const std::vector<Eigen::Vector3d>& points;
-  const std::vector<Triangle>& faces;
-  std::vector<Eigen::Vector3d> positions; // of the area of the domain
-  std::vector<Point> domain_points;
-
-  Registered_surface(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
-                     std::vector<Point> map)
-    : points(vertices), faces(triangles),
-      positions(positions_of_area(vertices, triangles, Geometry::total_area)), domain_points(std::move(map))
-  {
-  }
-  Lift<Geometry> lift() const { return Lift<Geometry>(positions, faces, domain_points); }
-};
-
-// A surface in levels, and the numbers of its vertices there.
-template <class Geometry>
-class Surface_levels {
-public:
-  Surface_levels(const Registered_surface<Geometry>& s, Geometry& geometry, const std::vector<int>& landmarks,
-                 double area_floor, bool is_parallel)
-    : order_(morton_order(normalized_points(s.points))), rank_(ranks(order_)),
-      mesh(sorted_hierarchy(Layout_problem<typename Geometry::Point>{s.points, s.faces}, order_, rank_,
-                            area_floor, Geometry::total_area))
-  {
-    std::vector<float> reluctance(order_.size(), 1.f); // landmarks stay as long as possible
-    for (const int v : landmarks) reluctance[rank_[v]] = 1e6f;
-    mesh.decimate(
-      is_parallel, Geometry::minimum_vertices, [&](int v) { return geometry.is_removable(v); },
-      [&](int u, const std::vector<int>& ring, int i) { return geometry.is_admissible(u, ring, i); },
-      [&](int v) { return reluctance[v]; }, [](double) {});
-    geometry.renumber(mesh);
-  }
-
-  int number(int v) const { return mesh.number_of(rank_[v]); }
-  template <class T>
-  std::vector<T> numbered(const std::vector<T>& of_vertices) const
-  {
-    std::vector<T> result(of_vertices.size());
-    for (std::size_t v = 0; v < result.size(); ++v) result[number(static_cast<int>(v))] = of_vertices[v];
-    return result;
-  }
-
-private:
-  static std::vector<int> ranks(const std::vector<int>& order)
-  {
-    std::vector<int> rank(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) rank[order[i]] = static_cast<int>(i);
-    return rank;
-  }
-
-  std::vector<int> order_, rank_;
-
-public:
-  Collapse_hierarchy mesh; // after the numbers that it is made from
-};
-
-struct Registration_options {
-  bool is_parallel = false;
-  double sweeps = 1; // factor of their numbers
-  double shape_floor = 1e-4, area_floor = 0.05;
-};
 
 // What became of the landmarks, and of the search.
 struct Registration_course {
@@ -367,47 +279,8 @@ private:
   bool is_exact_, is_placed_, has_search_;
 };
 
-// The finest level alone: sweeps from the map that the source has.
-template <class Geometry>
-class Registration_polish {
-public:
-  Registration_polish(const Registered_surface<Geometry>& source, const std::vector<int>& frozen,
-                      const Registration_options& options)
-    : geometry_(static_cast<int>(source.points.size())),
-      levels_(source, geometry_, {}, options.area_floor, options.is_parallel),
-      positions_(levels_.numbered(source.positions)), frozen_(frozen), options_(options)
-  {
-    while (levels_.mesh.level() < levels_.mesh.number_of_levels()) levels_.mesh.refine([](int) {});
-  }
-
-  // The mean pointwise energy of the source against the target, after as many sweeps of all vertices, and of the
-  // worst ones; they move the domain points.
-  double run(Registered_surface<Geometry>& source, const Lift<Geometry>& target, int sweeps,
-             int sweeps_of_worst = 0)
-  {
-    const int n = static_cast<int>(source.domain_points.size());
-    for (int v = 0; v < n; ++v) geometry_.set_position(levels_.number(v), source.domain_points[v]);
-    Registration_layout<Geometry> layout(levels_.mesh, geometry_, target, positions_, options_.shape_floor,
-                                         options_.is_parallel);
-    layout.update_mesh();
-    for (const int v : frozen_) layout.freeze(levels_.number(v), true);
-    layout.set_stage(Registration_layout<Geometry>::Stage::POINTWISE);
-    layout.sweep(sweeps);
-    layout.sweep_worst(sweeps_of_worst);
-    for (int v = 0; v < n; ++v) source.domain_points[v] = geometry_.position(levels_.number(v));
-    return layout.pointwise_mean();
-  }
-
-private:
-  Geometry geometry_;
-  Surface_levels<Geometry> levels_;
-  std::vector<Eigen::Vector3d> positions_;
-  std::vector<int> frozen_;
-  Registration_options options_;
-};
-
 } // namespace internal
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_REGISTRATION_INTERNAL_REGISTRATION_H
+#endif // CGAL_SIMPLE_MANIFOLDS_REGISTRATION_INTERNAL_COARSE_TO_FINE_REGISTRATION_H
