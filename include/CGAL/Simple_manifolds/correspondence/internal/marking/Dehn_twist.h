@@ -11,8 +11,12 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Corner_table.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/Harmonic_map.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -29,6 +33,16 @@ struct Dual_curve {
   double length = 0;
   std::vector<int> crossed;
 };
+
+// Whether it leaves each face through another side than that through which it came.
+inline bool is_simple(const Corner_table& table, const Dual_curve& c)
+{
+  for (std::size_t i = 0; i < c.crossed.size(); ++i) {
+    const int in = table.opposite(c.crossed[i]), out = c.crossed[(i + 1) % c.crossed.size()];
+    if (in / 3 != out / 3 || in == out) return false;
+  }
+  return c.crossed.size() >= 3;
+}
 
 // The cycles that edges close with the trees of shortest paths from some faces, the shortest first, at most so many.
 // length: per half-edge, of the way across.
@@ -76,7 +90,7 @@ inline std::vector<Dual_curve> short_dual_curves(const Corner_table& table, int 
       c.crossed.assign(there.rbegin(), there.rend());
       c.crossed.push_back(h);
       for (const int e : back) c.crossed.push_back(table.opposite(e));
-      if (c.crossed.size() < 3) continue;
+      if (!is_simple(table, c)) continue;
       std::vector<int> edges;
       for (const int e : c.crossed) {
         c.length += length[e];
@@ -92,10 +106,10 @@ inline std::vector<Dual_curve> short_dual_curves(const Corner_table& table, int 
   return curves;
 }
 
-// What becomes of a map when the surface is cut along a curve and glued again after a full turn: the changes of frame
+// What becomes of a map when the surface is cut along a curve and glued again after some full turns: the changes of frame
 // along the half-edges that the curve crosses. Empty if the curve is contractible.
 inline std::vector<Harmonic_map::Change> dehn_twist(const Harmonic_map& map, const Dual_curve& curve,
-                                                    bool is_left)
+                                                    int turns)
 {
   const Corner_table& t = map.table();
   const std::size_t n = curve.crossed.size();
@@ -103,19 +117,53 @@ inline std::vector<Harmonic_map::Change> dehn_twist(const Harmonic_map& map, con
   Long_isometry holonomy;              // round the curve, at the left end of the first edge
   for (std::size_t i = 0; i < n; ++i) {
     const int in = t.opposite(curve.crossed[i]), out = curve.crossed[(i + 1) % n];
-    if (in / 3 != out / 3 || in == out) return {};
-    if (Corner_table::next(in) == out) along[i] = map.deck(t.opposite(Corner_table::previous(in)));
-    holonomy = holonomy * along[i];
+    if (Corner_table::next(in) == out) {
+      along[i] = map.deck(t.opposite(Corner_table::previous(in)));
+      holonomy = holonomy * along[i];
+    }
   }
   std::vector<Harmonic_map::Change> changes;
   if (holonomy.is_identity()) return changes;
-  if (!is_left) holonomy = holonomy.inverse();
+  Long_isometry all_turns = turns > 0 ? holonomy : holonomy.inverse();
+  for (int k = 1; k < std::abs(turns); ++k)
+    all_turns = all_turns * (turns > 0 ? holonomy : holonomy.inverse());
   for (std::size_t i = 0; i < n; ++i) {
     const int from_left = t.opposite(curve.crossed[i]);
-    changes.emplace_back(from_left, holonomy * map.deck(from_left));
-    holonomy = along[i].inverse() * holonomy * along[i];
+    changes.emplace_back(from_left, all_turns * map.deck(from_left));
+    all_turns = along[i].inverse() * all_turns * along[i];
   }
   return changes;
+}
+
+// By how much such a twist changes the energy while the vertices stay; rounded.
+inline double energy_change(const Harmonic_map& map, const Dual_curve& curve, int turns)
+{
+  const Corner_table& t = map.table();
+  const std::size_t n = curve.crossed.size();
+  const auto inverse = [](const Eigen::Matrix3d& m) -> Eigen::Matrix3d {
+    const Eigen::DiagonalMatrix<double, 3> form(1, 1, -1);
+    return form * m.transpose() * form;
+  };
+  const auto along = [&](std::size_t i) { // the half-edge to the next left end; -1: the same
+    const int in = t.opposite(curve.crossed[i]);
+    return Corner_table::next(in) == curve.crossed[(i + 1) % n] ? t.opposite(Corner_table::previous(in)) : -1;
+  };
+  Eigen::Matrix3d holonomy = Eigen::Matrix3d::Identity();
+  for (std::size_t i = 0; i < n; ++i)
+    if (const int h = along(i); h != -1) holonomy = holonomy * map.scaled(h);
+  if ((holonomy - Eigen::Matrix3d::Identity()).norm() < 1e-6) return 0;
+  if (turns < 0) holonomy = inverse(holonomy);
+  Eigen::Matrix3d all_turns = holonomy;
+  for (int k = 1; k < std::abs(turns); ++k) all_turns = all_turns * holonomy;
+  double change = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const int from_left = t.opposite(curve.crossed[i]);
+    const double c =
+      -hyperboloid::product(map.position(t.origin(from_left)), all_turns * map.seen(from_left));
+    change += map.weight(from_left) * Harmonic_map::half_squared_distance(c) - map.edge_energy(from_left);
+    if (const int h = along(i); h != -1) all_turns = map.scaled(t.opposite(h)) * all_turns * map.scaled(h);
+  }
+  return std::isfinite(change) ? change : (std::numeric_limits<double>::max)();
 }
 
 } // namespace internal

@@ -58,11 +58,13 @@ public:
   int number_of_vertices() const { return vertices_; }
   int number_of_half_edges() const { return half_edges_; }
   const Long_isometry& deck(int h) const { return state_.deck[h]; }
+  const Eigen::Matrix3d& scaled(int h) const { return state_.scaled[h]; }
   const Point& position(int v) const { return state_.position[v]; }
   const Tile& tile(int v) const { return state_.tile[v]; }
   double weight(int h) const { return weight_[h]; }
-  // Of the vertices that were moved so far: what the map has cost.
+  // The number of moves of vertices so far, and of what else takes as long: what the map has cost.
   std::size_t work() const { return work_; }
+  void add_work(std::size_t n) { work_ += n; }
 
   const State& state() const { return state_; }
   void set_state(const State& s) { state_ = s; }
@@ -84,8 +86,8 @@ public:
   Point seen(int h) const { return state_.scaled[h] * state_.position[table_->target(h)]; }
   static double half_squared_distance(double cosh)
   {
-    if (!(cosh > 1)) return 0;
-    const double d = std::acosh(cosh);
+    if (cosh <= 1) return 0;
+    const double d = std::acosh(cosh); // NaN remains NaN
     return d * d / 2;
   }
   double edge_energy(int h) const

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <utility>
@@ -52,7 +53,9 @@ public:
   }
 
 private:
-  static constexpr std::size_t search_work = 4000000; // moves of vertices
+  static constexpr std::size_t search_work = 8000000; // moves of vertices
+
+  static constexpr std::size_t relaxed_starts = 80;
 
   struct Weights {
     std::vector<double> edge;   // of the energy
@@ -113,8 +116,9 @@ private:
     const Canonical_mesh canonical(genus_);
     std::vector<Harmonic_map::State> starts;
     Harmonic_map map = map_of(low, w.edge);
-    for (int i = 0; i < 4; ++i) {
-      const Handle_basis basis(low.table(), n, half_edges / 3, w.length, i * n / 4);
+    const int roots = (std::min)(n, 30);
+    for (int i = 0; i < roots; ++i) {
+      const Handle_basis basis(low.table(), n, half_edges / 3, w.length, i * n / roots);
       if (!basis.has_genus(genus_)) return std::nullopt;
       for (int tile = 0; tile < Square_tiling::ring_size; ++tile) {
         auto pairs = canonical.handle_pairs(tile);
@@ -123,11 +127,12 @@ private:
           map.set_decks(basis.decks(pairs), std::vector<Harmonic_map::Tile>(n, {tile, 0}),
                         std::vector<Harmonic_map::Point>(n, {0, 0, 1}));
           if (std::isfinite(map.energy())) starts.push_back(map.state());
+          if (starts.size() >= 2 * relaxed_starts) keep_best(starts, relaxed_starts);
           std::rotate(pairs.begin(), pairs.begin() + (std::min)(stride, genus_ - 1), pairs.end());
         }
       }
     }
-    keep_best(starts, 12);
+    keep_best(starts, relaxed_starts);
     for (Harmonic_map::State& s : starts) {
       map.set_state(s);
       map.relax(400, 1e-3);
@@ -150,6 +155,12 @@ private:
     std::stable_sort(
       states.begin(), states.end(),
       [](const Harmonic_map::State& a, const Harmonic_map::State& b) { return a.energy < b.energy; });
+    states.erase(std::unique(states.begin(), states.end(),
+                             [](const Harmonic_map::State& a, const Harmonic_map::State& b) {
+                               return std::abs(a.energy - b.energy) <=
+                                      1e-6 * b.energy; // most likely the same
+                             }),
+                 states.end());
     if (states.size() > n) states.resize(n);
   }
 

@@ -11,6 +11,10 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/Dehn_twist.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/Harmonic_map.h>
 
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -21,31 +25,30 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-// Looks for the homotopy class whose harmonic map has the least energy: by Dehn twists along short curves, one at a time
-// while that helps, then after some random ones. It ends after a number of moves of vertices, not after a time, so that the
-// result is always the same.
+// Looks for the homotopy class whose harmonic map has the least energy: by Dehn twists along curves that are short in space
+// or in the canonical surface, one at a time while that helps, then after some random ones. It ends after a number of moves
+// of vertices, not after a time, so that the result is always the same.
 class Marking_search {
 public:
   // length: per half-edge, of the way across in space
   Marking_search(Harmonic_map& map, std::vector<double> length, std::size_t most_work)
     : map_(map), length_(std::move(length)), last_work_(map.work() + most_work)
   {
+    short_in_space_ = curves(length_);
   }
 
   // kicks: how often it begins anew from the best map so far, changed at random
   void run(int kicks)
   {
-    find_curves();
     descend();
-    improve();
     Harmonic_map::State best = map_.state();
-    for (int i = 0; i < kicks && !is_over() && !curves_.empty(); ++i) {
-      for (int j = 0, n = 1 + random(3); j < n; ++j) {
-        map_.apply(dehn_twist(map_, curves_[random(static_cast<int>(curves_.size()))], random(2) == 0));
+    for (int i = 0; i < kicks && !is_over() && !short_in_space_.empty(); ++i) {
+      for (int j = 0, n = 1 + random(2); j < n; ++j) {
+        const Dual_curve& c = short_in_space_[random(static_cast<int>(short_in_space_.size()))];
+        map_.apply(dehn_twist(map_, c, random(2) == 0 ? 1 : -1));
         map_.relax(40, 1e-4);
       }
-      descend();
-      if (map_.energy() < 2 * best.energy) improve();
+      if (std::isfinite(map_.energy())) descend();
       if (map_.energy() < best.energy * (1 - 1e-4))
         best = map_.state();
       else
@@ -55,6 +58,16 @@ public:
   }
 
 private:
+  struct Twist {
+    double change; // of the energy while the vertices stay
+    const Dual_curve* curve;
+    int turns;
+    bool operator<(const Twist& t) const { return change < t.change; }
+  };
+
+  static constexpr std::size_t most_trials = 60; // of twists that may help once the vertices have moved
+  static constexpr double promising = 1e-2;      // a part of the energy
+
   bool is_over() const { return map_.work() > last_work_; }
 
   int random(int n) // xorshift (Marsaglia 2003)
@@ -65,82 +78,88 @@ private:
     return static_cast<int>(random_ % static_cast<std::uint32_t>(n));
   }
 
-  // Short in space, or in the canonical surface: along the latter a map is twisted too much.
-  void find_curves()
+  std::vector<Dual_curve> curves(const std::vector<double>& length)
   {
     const int faces = map_.number_of_half_edges() / 3;
-    curves_ = short_dual_curves(map_.table(), faces, length_, 40, 400);
+    map_.add_work(20 * static_cast<std::size_t>(faces));
+    return short_dual_curves(map_.table(), faces, length, 40, 500);
   }
 
-  // The change of the energy by a twist while the vertices stay.
-  double change(const std::vector<Harmonic_map::Change>& twist) const
-  {
-    double sum = 0;
-    for (const auto& [h, deck] : twist) {
-      const auto& p = map_.position(map_.table().origin(h));
-      const Eigen::Vector3d q = hyperboloid::scaled(deck) * map_.position(map_.table().target(h));
-      sum += map_.weight(h) * Harmonic_map::half_squared_distance(-hyperboloid::product(p, q)) -
-             map_.edge_energy(h);
-    }
-    return sum;
-  }
-
-  // Twists that lower the energy at once.
   void descend()
   {
-    for (bool helps = true; helps && !is_over();) {
-      helps = false;
-      for (const Dual_curve& c : curves_)
-        for (const bool is_left : {true, false}) {
-          if (is_over()) return;
-          const auto twist = dehn_twist(map_, c, is_left);
-          if (twist.empty() || change(twist) > -1e-3 * map_.energy()) continue;
-          const Harmonic_map::State before = map_.state();
-          map_.apply(twist);
-          map_.relax(8, 1e-4);
-          if (map_.energy() < before.energy * (1 - 1e-4))
-            helps = true;
-          else
-            map_.set_state(before);
-        }
-    }
+    do {
+      while (!is_over() && improve(short_in_space_)) {
+      }
+    } while (!is_over() && improve(curves(length_in_target())));
     map_.relax(60, 1e-5);
   }
 
-  // Twists that lower the energy once the vertices have moved.
-  void improve()
+  // The ways from face to face across the edges in the canonical surface.
+  std::vector<double> length_in_target() const
   {
-    std::vector<int> order(curves_.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-    for (bool helps = true; helps && !is_over();) {
-      helps = false;
-      for (std::size_t i = order.size(); i > 1; --i)
-        std::swap(order[i - 1], order[random(static_cast<int>(i))]);
-      for (const int i : order)
-        for (const bool is_left : {true, false})
-          while (!is_over() && try_twist(curves_[i], is_left)) helps = true;
+    std::vector<double> length;
+    for (int h = 0; h < map_.number_of_half_edges(); ++h) {
+      const Corner_table& t = map_.table();
+      const Eigen::Vector3d edge = map_.position(t.origin(h)) + map_.seen(h);
+      const Eigen::Vector3d left = hyperboloid::unit(edge + map_.seen(t.rotate(h))),
+                            right = hyperboloid::unit(edge + map_.seen(Corner_table::next(t.opposite(h))));
+      length.push_back(std::acosh((std::max)(1., -hyperboloid::product(left, right))) + 1e-3);
     }
+    return length;
   }
 
-  bool try_twist(const Dual_curve& curve, bool is_left)
+  // One twist, or some that lower the energy at once; the most promising ones are tried first.
+  bool improve(const std::vector<Dual_curve>& curves)
   {
-    const auto twist = dehn_twist(map_, curve, is_left);
-    if (twist.empty()) return false;
+    std::vector<Twist> twists;
+    std::size_t crossings = 0;
+    for (const Dual_curve& c : curves) {
+      for (const int sign : {1, -1}) {
+        Twist best{0, &c, 0};
+        for (int turns = 1; turns <= 8; turns *= 2) {
+          const double change = energy_change(map_, c, sign * turns);
+          crossings += c.crossed.size();
+          if (change == 0 || (turns > 1 && change >= best.change)) break;
+          best = {change, &c, sign * turns};
+        }
+        if (best.turns != 0) twists.push_back(best);
+      }
+    }
+    map_.add_work(crossings / 4);
+    std::sort(twists.begin(), twists.end());
+    // Those that help at once, as long as they still do.
+    bool helps = false;
+    for (Twist& t : twists) {
+      if (is_over() || t.change > -promising * map_.energy()) break;
+      t.change = energy_change(map_, *t.curve, t.turns);
+      helps = (t.change < -promising * map_.energy() && try_twist(t)) || helps;
+    }
+    for (std::size_t i = 0; i < (std::min)(most_trials, twists.size()) && !helps && !is_over(); ++i) {
+      if (twists[i].change > 2 * map_.energy()) break;
+      helps = try_twist(twists[i]);
+    }
+    return helps;
+  }
+
+  bool try_twist(const Twist& twist)
+  {
+    const auto changes = dehn_twist(map_, *twist.curve, twist.turns);
+    if (changes.empty()) return false;
     const Harmonic_map::State before = map_.state();
-    map_.apply(twist);
+    map_.apply(changes);
+    if (twist.change < -promising * before.energy) {
+      map_.relax(4, 1e-4);
+      if (map_.energy() < before.energy) return true;
+    }
     double energy = (std::numeric_limits<double>::max)();
     for (int i = 0; i < 40; ++i) {
-      map_.relax(8, 1e-5);
+      map_.relax(6, 1e-5);
       const double gain = energy - map_.energy();
       energy = map_.energy();
-      if (energy < before.energy * (1 - 2e-3) && i > 0) break;
-      const bool is_slow = gain < 0.004 * energy;
-      if (energy > before.energy && ((is_slow && i > 1) || (i > 3 && energy - before.energy > energy))) break;
-      if (is_slow && i > 6) break;
-    }
-    if (energy < before.energy * (1 - 1e-3)) {
-      map_.relax(60, 1e-5);
-      return true;
+      if (energy < before.energy * (1 - 1e-3)) return true;
+      // what is still to be gained is not more than some times the last gain
+      if (i > 0 && !(energy - 8 * gain <= before.energy)) break;
+      if (gain < 1e-4 * energy) break;
     }
     map_.set_state(before);
     return false;
@@ -149,7 +168,7 @@ private:
   Harmonic_map& map_;
   std::vector<double> length_;
   std::size_t last_work_;
-  std::vector<Dual_curve> curves_;
+  std::vector<Dual_curve> short_in_space_;
   std::uint32_t random_ = 2463534242u;
 };
 
