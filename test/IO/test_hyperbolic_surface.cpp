@@ -6,6 +6,7 @@
 
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/IO/surface_io.h>
+#include <CGAL/Simple_manifolds/IO/write_tessellation.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_hyperbolic_surface.h>
 #include <CGAL/Simple_manifolds/embedding/Map_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/closest_point.h>
@@ -108,6 +109,10 @@ TEST_CASE("files of hyperbolic maps and surfaces keep the genus; files of no gen
     CHECK(read.atlas().genus() == 2);
     CHECK(read.point(p) == pretzel().point(p));
   }
+  SM::write_samples(folder("samples.csv"), pretzel(), {p});
+  std::string header;
+  std::getline(std::ifstream(folder("samples.csv")) >> std::ws, header);
+  CHECK(header == "domain_tile,domain_u,domain_v,x,y,z,nx,ny,nz,mean_curvature,gaussian_curvature");
   const auto with_genus = [&](const char* name, const std::string& from, const std::string& to) {
     std::ostringstream text;
     text << std::ifstream(folder(name), std::ios::binary).rdbuf();

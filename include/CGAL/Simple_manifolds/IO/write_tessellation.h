@@ -84,7 +84,7 @@ void write_tessellation(const std::string& file, const Surface& surface, const M
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// Writes the surface at given points of the domain as a CSV file with one header line: `domain_x,
-/// domain_y,domain_z` (sphere) or `domain_u,domain_v`, then `x,y,z,nx,ny,nz,mean_curvature,
+/// domain_y,domain_z` (sphere), `domain_tile,domain_u,domain_v` (hyperbolic squares) or `domain_u,domain_v`, then `x,y,z,nx,ny,nz,mean_curvature,
 /// gaussian_curvature`; signs as in `Jet_geometry.h`.
 /// \param fields  further columns, such as the values of a `Fit_confidence`
 /// \pre each field has a value for each point, and a name without commas and line ends
@@ -100,8 +100,8 @@ void write_samples(const std::string& file, const Surface& surface,
   }));
   Atomic_file output(file);
   std::ostream& out = output.stream();
-  out << (Surface::Domain_point::RowsAtCompileTime == 3 ? "domain_x,domain_y,domain_z" : "domain_u,domain_v")
-      << ",x,y,z,nx,ny,nz,mean_curvature,gaussian_curvature";
+  for (const char* name : Surface::Atlas::coordinate_names) out << "domain_" << name << ',';
+  out << "x,y,z,nx,ny,nz,mean_curvature,gaussian_curvature";
   for (const Charted_mesh::Field& field : fields) out << ',' << field.name;
   out << '\n';
   const auto row = [&](const auto& values) {
