@@ -61,9 +61,10 @@ Manifold_map<Hyperbolic_atlas> map_to(Canonical_surfaces::Type<Hyperbolic_atlas>
 /// see `Hyperbolic_atlas`.
 ///
 /// Maps of two surfaces may wind round the handles in infinitely many ways. The handles of the mesh are matched with those
-/// of the surface; then Dehn twists are tried while they lower the energy of the harmonic map. The search is bounded by a
-/// number of steps; a bad match costs distortion, never validity. Edges of length arcosh 2 or more (coarse meshes, thin
-/// handles) are split at their middles: then the map has more vertices than the mesh, the surface is the same.
+/// of the surface in many orders; then Dehn twists are tried while they lower the energy of the harmonic map. The search is
+/// bounded by a number of steps. A bad match costs distortion; from about genus 12 on it may be so bad that doubles do not
+/// suffice, which is a `Numeric_error`. Edges of length arcosh 2 or more (coarse meshes, thin handles) are split at their
+/// middles: then the map has more vertices than the mesh, the surface is the same.
 ///
 /// The named parameters, errors and guarantees are those of `map_to_sphere()`, but for `landmarks`: there are none.
 template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,
