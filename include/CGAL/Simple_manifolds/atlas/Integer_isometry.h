@@ -81,11 +81,11 @@ public:
   }
 
   /// Whether all entries are equal.
-  friend bool operator==(const Integer_isometry& a, const Integer_isometry& b) { return a.m_ == b.m_; }
+  bool operator==(const Integer_isometry& other) const { return m_ == other.m_; }
   /// The contrary.
-  friend bool operator!=(const Integer_isometry& a, const Integer_isometry& b) { return a.m_ != b.m_; }
+  bool operator!=(const Integer_isometry& other) const { return m_ != other.m_; }
   /// An order, for tables.
-  friend bool operator<(const Integer_isometry& a, const Integer_isometry& b) { return a.m_ < b.m_; }
+  bool operator<(const Integer_isometry& other) const { return m_ < other.m_; }
 
   /// The same with other integers.
   template <class Other>
