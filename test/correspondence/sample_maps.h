@@ -4,6 +4,7 @@
 #define SIMPLE_MANIFOLDS_TEST_CORRESPONDENCE_SAMPLE_MAPS_H
 
 #include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/atlas/Hyperbolic_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
@@ -165,6 +166,11 @@ public:
       if (p.norm() < 1 && p.norm() > 0.1) return p.normalized();
     }
   }
+  Eigen::Vector3d point(const SM::Hyperbolic_atlas& atlas)
+  {
+    const double tile = std::floor(number() * atlas.number_of_charts()), u = 2 * number() - 1;
+    return {tile, u, 2 * number() - 1};
+  }
   template <class Atlas>
   Eigen::Vector2d point(const Atlas&)
   {
@@ -184,6 +190,10 @@ inline double distance(const SM::Sphere_atlas&, const Eigen::Vector3d& p, const 
 inline double distance(const SM::Torus_atlas&, const Eigen::Vector2d& p, const Eigen::Vector2d& q)
 {
   return (SM::Torus_atlas::lift(p, q) - p).norm();
+}
+inline double distance(const SM::Hyperbolic_atlas& atlas, const Eigen::Vector3d& p, const Eigen::Vector3d& q)
+{
+  return std::sqrt(atlas.squared_distance(p, q));
 }
 inline double distance(const SM::Plane_atlas&, const Eigen::Vector2d& p, const Eigen::Vector2d& q)
 {
