@@ -256,7 +256,7 @@ Export export_of_file(Request request)
 
 //! [step]
 /// Writes the surfaces of a file as the bodies of a STEP file.
-/// \return the exit status: 1 if a tolerance was not reached
+/// \return the exit status: 1 if a tolerance was not reached, or a body could not be served, 4 if none could
 int write_step(Request request)
 {
   if (request.cad.cad.tolerance == 0) {
@@ -264,17 +264,24 @@ int write_step(Request request)
     request.cad.cad.tolerance = tolerance > 0 ? std::clamp(tolerance / 2, 1e-7, 1.) : 1e-3;
   }
   tools::Cad_parts parts;
+  int status = 0;
   visit_surfaces(request.input, [&](const auto& surfaces) {
     for (const auto& part : surfaces) {
       const std::string name = surfaces.size() == 1 ? request.cad.name : request.cad.name + ' ' + part.name;
-      std::visit([&](const auto& s) { tools::add_cad_part(s, name, request.cad.cad, parts); }, part.value());
+      try {
+        std::visit([&](const auto& s) { tools::add_cad_part(s, name, request.cad.cad, parts); },
+                   part.value());
+      } catch (const SM::Error& e) { // what is wrong with one body does not lose the others
+        std::cerr << "export_surface: " << e.what() << std::endl;
+        status = 1;
+      }
     }
   });
+  if (parts.bodies.empty()) return 4;
   SM::write_step(request.output, parts.bodies, request.cad.step);
   //! [step]
   std::cout << tools::cad_figures(request.output, parts);
   tools::Json metrics = tools::Json::array();
-  int status = 0;
   for (std::size_t k = 0; k < parts.bodies.size(); ++k) {
     const SM::Cad_report& report = parts.reports[k];
     metrics.push_back(tools::metrics_of_cad(report, request.cad.cad, request.cad.step));
@@ -403,6 +410,8 @@ Request request_of(int argc, char** argv)
   for (const std::string& file : {r.input, r.map})
     for (const std::string& output : {r.output, materials, r.cad.metrics})
       if (is_same_file(file, output)) throw po::error("the output would replace the input " + file);
+  if (!r.cad.metrics.empty() && (r.cad.metrics == r.output || is_same_file(r.cad.metrics, r.output)))
+    throw po::error("the metrics would replace the output");
   return r;
 }
 

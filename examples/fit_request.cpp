@@ -49,7 +49,7 @@ Command_line fit_command_line()
   options.add(
     "reshape", po::value<std::string>()->default_value("auto"),
     "whether flat parts of the mesh get small triangles of good shape before it is mapped; then map.ply\n"
-    "has these: auto (for meshes of CAD programs, without properties), always or never");
+    "has these: auto (for meshes of CAD programs), always or never");
   options.add("crease-angle", po::value<double>()->default_value(40),
               "edges with a larger angle between the normals of their faces stay creases, degrees");
   options.add("marking", po::value<std::string>()->default_value("all"),

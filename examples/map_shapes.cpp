@@ -270,6 +270,12 @@ int main(int argc, char** argv)
     const std::vector<std::string> files = files_of(options);
     const std::size_t first = options.get<std::size_t>("template") - 1;
     options.require(first < files.size(), "template", "from 1 to the number of shapes");
+    for (const std::string& file : files) // names of outputs would replace shapes, or be taken for some
+      if (is_same_file(std::filesystem::path(file).parent_path().string().empty()
+                         ? "."
+                         : std::filesystem::path(file).parent_path().string(),
+                       options.get<std::string>("output")))
+        throw Usage_error("--output is the folder of " + file + ": choose another one");
     SM::Atomic_folder folder(options.get<std::string>("output"));
 
     Stopwatch watch;

@@ -73,12 +73,17 @@ void reshape(const Fit_request& request, const Command_line& options, Input& inp
   const bool is_automatic = request.reshape == Reshape::WHERE_NEEDED;
   if (request.reshape == Reshape::NEVER || (is_automatic && options.has("corners"))) return;
   const SM::Face_shapes shapes = SM::face_shapes(input.mesh);
+  if (!is_automatic && shapes.has_degenerate)
+    throw Usage_error("--reshape always: the mesh has degenerate faces; --repair drops them");
   if (shapes.has_degenerate || (is_automatic && !shapes.is_of_part())) return;
   if (!CGAL::is_triangle_mesh(input.mesh) && !input.read.properties.empty())
     return; // of polygons there is no between
   const Mesh before = input.mesh;
   SM::reshape_flat_parts(input.mesh);
   input.read.properties = properties_at(input.mesh, before, input.read.properties);
+  // none of its elements is one of the file
+  input.repair.input.vertices.assign(input.mesh.number_of_vertices(), -1);
+  input.repair.input.faces.assign(input.mesh.number_of_faces(), -1);
   input.reshape = {{"faces_before", std::size_t(before.number_of_faces())},
                    {"faces", std::size_t(input.mesh.number_of_faces())},
                    {"flat", shapes.flat},

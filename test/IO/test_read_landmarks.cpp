@@ -41,8 +41,10 @@ TEST_CASE("landmarks of one shape, as Slicer and the benchmarks write them")
   const Temporary_folder folder;
   const auto slicer = read_landmarks(
     folder.write("a.fcsv", "# Markups fiducial file version = 4.10\n# CoordinateSystem = 0\n"
-                           "vtkMRMLMarkupsFiducialNode_0,1.5,-2,3e1,0,0,0,1,1,1,0,F-1,,\n2,4,5,6,0,0,0,1\n"));
-  REQUIRE(slicer.size() == 2);
+                           "vtkMRMLMarkupsFiducialNode_0,1.5,-2,3e1,0,0,0,1,1,1,0,F-1,,\n2,4,5,6,0,0,0,1\n"
+                           "3,7,8,9,0,0,0,1,1,1,0,F-1,,\n"));
+  REQUIRE(slicer.size() == 3);
+  CHECK(slicer[2].point == Vector3d(7, 8, 9));
   CHECK(slicer[0].point == Vector3d(1.5, -2, 30));
   CHECK(slicer[1].point == Vector3d(4, 5, 6));
   const auto json = read_landmarks(folder.write(

@@ -53,6 +53,7 @@ struct Table_line {
   std::size_t line;
   std::vector<double> numbers;
   std::size_t words; // more than numbers where one is none
+  bool begins_with_number;
 };
 
 inline std::vector<Table_line> table_lines(const std::string& bytes)
@@ -66,7 +67,7 @@ inline std::vector<Table_line> table_lines(const std::string& bytes)
       if (c == ',' || c == ';' || c == '\r') c = ' ';
     std::istringstream words(text);
     words.imbue(std::locale::classic());
-    Table_line row{line, {}, 0};
+    Table_line row{line, {}, 0, false};
     std::string word;
     while (words >> word) {
       ++row.words;
@@ -75,6 +76,7 @@ inline std::vector<Table_line> table_lines(const std::string& bytes)
       double x;
       if (in >> x && in.peek() == std::istringstream::traits_type::eof() && std::isfinite(x))
         row.numbers.push_back(x);
+      if (row.words == 1) row.begins_with_number = !row.numbers.empty();
     }
     if (row.words > 0) table.push_back(row);
   }
@@ -155,7 +157,7 @@ inline std::vector<Landmark_place> read_landmarks(const std::string& file)
       if (!is_right) throw IO_error(Error_code::syntax_error, file, what, row.line);
     };
     if (is_slicer) { // id,x,y,z,...: the id may be a number or not
-      const std::size_t first = row.numbers.size() == row.words ? 1 : 0;
+      const std::size_t first = row.begins_with_number ? 1 : 0;
       require(row.numbers.size() >= first + 3, "an identifier and three coordinates are expected");
       landmarks.push_back(internal::landmark_point(&row.numbers[first]));
     } else if (is_vts) {

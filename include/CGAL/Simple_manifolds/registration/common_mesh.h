@@ -92,7 +92,6 @@ public:
   bool refine(double chord_error, std::size_t max_faces)
   {
     std::map<std::pair<int, int>, int> middle; // of the edges to be split
-    std::vector<char> is_too_far(mesh_.faces.size(), false);
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
       const Triangle& t = mesh_.faces[f];
       const bool is_whole = error(t, Eigen::Vector3d::Constant(1 / 3.)) > chord_error;
@@ -100,7 +99,7 @@ public:
         const int v = t[k], w = t[(k + 1) % 3];
         Eigen::Vector3d half(0, 0, 0);
         half[k] = half[(k + 1) % 3] = 0.5;
-        if (is_whole || (v < w && error(t, half) > chord_error)) middle[edge(v, w)] = -1;
+        if (is_whole || error(t, half) > chord_error) middle[edge(v, w)] = -1;
       }
     }
     if (middle.empty() || mesh_.faces.size() + 2 * middle.size() > max_faces) return false;

@@ -219,7 +219,12 @@ polished(const std::shared_ptr<const Manifold_map<Sphere_atlas>>& map,
   const double before = polish.run(a, lift, 0);
   const double after = polish.run(a, lift, request.effort == Effort::FAST ? 3 : 6);
   request.visitor.end_phase();
-  return after < before ? with_domain_points(*map, std::move(a.domain_points)) : map;
+  if (!(after < before)) return map;
+  try {
+    return with_domain_points(*map, std::move(a.domain_points));
+  } catch (const Numeric_error&) { // rounding: what could be better is no map
+    return map;
+  }
 }
 
 #ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED

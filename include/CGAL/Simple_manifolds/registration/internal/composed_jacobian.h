@@ -16,6 +16,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -65,6 +66,10 @@ Eigen::Matrix2d unit_jacobian(const Map& source, const typename Map::Location& x
                               const typename Map::Location& y)
 {
   using Point = typename Map::Domain_point;
+  static_assert(std::is_same_v<decltype(source.atlas().flat_edges(
+                                 std::declval<Point>(), std::declval<Point>(), std::declval<Point>())),
+                               std::pair<Point, Point>>,
+                "derivatives of a correspondence are not known over this atlas");
   const Triangle &s = source.face(x.face), &t = target.face(y.face);
   const Point &p = source.domain_point(s[0]), &a = target.domain_point(t[0]);
   const auto from = source.atlas().flat_edges(p, source.domain_point(s[1]), source.domain_point(s[2]));

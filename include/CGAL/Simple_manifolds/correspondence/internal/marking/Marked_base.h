@@ -113,15 +113,20 @@ private:
   std::optional<Harmonic_map> start(const Collapse_hierarchy& low, const Weights& w) const
   {
     const int n = low.number_of_active_vertices(), half_edges = 3 * low.number_of_active_faces();
+    if (genus_ > largest_genus) return std::nullopt;
     const Canonical_mesh canonical(genus_);
     std::vector<Harmonic_map::State> starts;
     Harmonic_map map = map_of(low, w.edge);
-    const int roots = (std::min)(n, 30);
+    const int roots =
+      (std::min)(n, std::clamp(3000 / genus_, 1, 30)); // each takes the third power of the genus
+    std::vector<decltype(canonical.handle_pairs(0))> pairs_of_tile;
+    for (int tile = 0; tile < Square_tiling::ring_size; ++tile)
+      pairs_of_tile.push_back(canonical.handle_pairs(tile));
     for (int i = 0; i < roots; ++i) {
       const Handle_basis basis(low.table(), n, half_edges / 3, w.length, i * n / roots);
       if (!basis.has_genus(genus_)) return std::nullopt;
       for (int tile = 0; tile < Square_tiling::ring_size; ++tile) {
-        auto pairs = canonical.handle_pairs(tile);
+        auto pairs = pairs_of_tile[tile];
         const int stride = 1 + genus_ / 8;
         for (int turn = 0; turn < genus_; turn += stride) {
           map.set_decks(basis.decks(pairs), std::vector<Harmonic_map::Tile>(n, {tile, 0}),
@@ -200,6 +205,8 @@ private:
     result.set_decks(std::move(deck), std::move(tile), std::move(position));
     return result;
   }
+
+  static constexpr int largest_genus = 200; // of a search that ends in a time that one can wait for
 
   const Collapse_hierarchy& mesh_;
   int genus_;

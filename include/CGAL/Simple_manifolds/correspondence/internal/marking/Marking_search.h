@@ -126,7 +126,7 @@ private:
       }
     }
     map_.add_work(crossings / 4);
-    std::sort(twists.begin(), twists.end());
+    std::stable_sort(twists.begin(), twists.end());
     // Those that help at once, as long as they still do.
     bool helps = false;
     for (Twist& t : twists) {
