@@ -51,7 +51,7 @@ void run_map(const Map& map)
     print("domain point", points.back());
   }
   const auto surface = SM::fit_surface(map, SM::parameters::rms_error(5e-3));
-  for (int c = 0; c < Map::Atlas::number_of_charts(); ++c)
+  for (int c = 0; c < map.atlas().number_of_charts(); ++c)
     for (const auto& level : surface.chart_embedding(c).levels())
       for (const auto& x : level.coefficients) print("control", x);
   std::vector<SM::Jet> jets;
