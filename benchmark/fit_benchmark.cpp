@@ -250,7 +250,7 @@ void measure_all(const std::string& name, const Mesh& mesh, const std::vector<do
     [&](const auto& map) {
       using Map = std::decay_t<decltype(map)>;
       const Test_points<Map> points(map);
-      const bool has_one_chart = Map::Atlas::number_of_charts() == 1; // then there is nothing to do jointly
+      const bool has_one_chart = map.atlas().number_of_charts() == 1; // then there is nothing to do jointly
       Row row;
       row.mesh = name;
       row.domain = map.atlas().name;
@@ -261,7 +261,7 @@ void measure_all(const std::string& name, const Mesh& mesh, const std::vector<do
       options.max_error = 0;
       options.refinement = SM::Refinement::UNIFORM;
       for (const std::size_t side : {7, 11, 19, 35, 67}) {
-        options.max_controls = Map::Atlas::number_of_charts() * side * side;
+        options.max_controls = map.atlas().number_of_charts() * side * side;
         if (options.max_controls > max_controls) break;
         options.joint_solve = SM::Joint_solve::NEVER;
         measure_fit(map, points, row, "uniform", options, table);

@@ -118,12 +118,11 @@ private:
 template <class Map>
 double queries_per_second(const Map& map)
 {
-  using Atlas = typename Map::Atlas;
   std::mt19937 random(1);
   const auto number = [&] { return static_cast<double>(random()) / 4294967296.; };
   std::vector<typename Map::Domain_point> points;
   for (int i = 0; i < 200000; ++i) {
-    const int tile = static_cast<int>(random() % Atlas::number_of_charts());
+    const int tile = static_cast<int>(random() % map.atlas().number_of_charts());
     const double s = number();
     points.push_back(map.atlas().tile_point(tile, s, number()));
   }

@@ -19,7 +19,7 @@ template <class Map, class Surface>
 void evaluate(const Map& map, const Surface& surface)
 {
   using Domain_point = typename Map::Domain_point;
-  std::vector<Domain_point> points = SM::random_domain_points<typename Map::Atlas>(9);
+  std::vector<Domain_point> points = SM::random_domain_points(9, 0, map.atlas());
   std::vector<typename Map::Location> locations;
   map.to_mesh(points, std::back_inserter(locations));
   map.to_domain(locations[0]);
@@ -49,7 +49,7 @@ void write([[maybe_unused]] const Map& map, [[maybe_unused]] const Surface& surf
   SM::write_map("", map);
   SM::write_surface("", surface);
   SM::write_tessellation("", surface, map, SM::parameters::subdivisions(4));
-  SM::write_samples("", surface, SM::random_domain_points<typename Map::Atlas>(9));
+  SM::write_samples("", surface, SM::random_domain_points(9, 0, map.atlas()));
   SM::read_map<typename Map::Atlas>("");
   SM::read_surface<Surface>("");
 #endif
