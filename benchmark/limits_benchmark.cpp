@@ -6,7 +6,7 @@
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/IO/surface_io.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
-#include <CGAL/Simple_manifolds/embedding/internal/fit/Cholesky_solver.h>
+#include <CGAL/Simple_manifolds/internal/Cholesky_solver.h>
 #include <CGAL/Simple_manifolds/tessellation/tessellate.h>
 
 #include <Eigen/SparseCholesky>
