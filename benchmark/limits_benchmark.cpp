@@ -101,9 +101,8 @@ void sparse_solves(bool is_quick)
 #ifdef CGAL_SIMPLE_MANIFOLDS_USE_CHOLMOD
     factorisation<Eigen::CholmodSupernodalLLT<SM::internal::Sparse_matrix, Eigen::Lower>>("CHOLMOD", a);
 #endif
-    std::size_t bytes = 0;
     Eigen::MatrixX3d x;
-    const double s = seconds(1, [&] { x = SM::internal::solve_cholesky(a, b, bytes); });
+    const double s = seconds(1, [&] { x = SM::internal::Cholesky_solver(a).solve(b); });
     if (!x.allFinite()) throw std::runtime_error("the solution is not finite");
     row("order+factor+solve", "ours", std::size_t(a.rows()), "unknowns", s);
   }
