@@ -249,9 +249,8 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::weigh()
   for (std::size_t s = 0; s < samples_.size(); ++s) {
     if (samples_.owner[s] < 0) {
       const bool is_vertex = samples_.owner[s] == Fit_samples::of_vertex;
-      const double all = is_vertex ? vertices : faces;
-      const double share = all > 0 ? samples_.domain[s] / all : 0;
-      joint_weight_[s] = weight_[s] = (is_vertex ? vertices_weight : faces_weight) * share;
+      const double all = is_vertex ? vertices : faces, weight = is_vertex ? vertices_weight : faces_weight;
+      joint_weight_[s] = weight_[s] = all > 0 ? weight * samples_.domain[s] / all : 0;
       continue;
     }
     weight_[s] = 0.5 * samples_.domain[s] / charts + (area > 0 ? 0.5 * samples_.area[s] / area : 0);
