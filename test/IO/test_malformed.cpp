@@ -506,7 +506,7 @@ TEST_CASE("meshes that are read, but are no sphere, torus or disk, are refused b
      "a.off",
      off(11, double_torus_minus_one),
      E::wrong_genus,
-     {"1 border loop", "genus 2", "V - E + F = -3", "--close-borders all"}},
+     {"1 border loop", "genus 2", "V - E + F = -3"}},
     {"two tetrahedra",
      "a.off",
      off(8, together(tetrahedron, shifted(tetrahedron, 4))),
