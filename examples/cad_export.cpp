@@ -156,7 +156,8 @@ std::vector<std::string> cad_warnings(const SM::Cad_report& r, double tolerance,
                                                          : ""));
   if (r.singular_points > 0)
     list.push_back("at " + std::to_string(r.singular_points) +
-                   " points the parameter lines are nearly parallel, so that CAD systems may find no normal, "
+                   (r.singular_points == 1 ? " point" : " points") +
+                   " the parameter lines are nearly parallel, so that CAD systems may find no normal, "
                    "first near " +
                    shown_place(r.singular_places.front()));
   const double size = r.diagonal * step.scale * SM::millimetres(step.unit);
