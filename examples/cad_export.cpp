@@ -38,9 +38,9 @@ void add_cad_options(po::options_description& options)
   options.add_options()(
     "cad-tolerance", po::value<double>(),
     ".step: the largest deviation from the surface, fraction of the diagonal (default: half the\n"
-    "tolerance of the fit)")(
-    "max-faces", po::value<long>(),
-    ".step: limit of the number of faces; 6 at least of a sphere, 1 of a torus or a square")(
+    "tolerance of the fit)")("max-faces", po::value<long>(),
+                             ".step: limit of the number of faces; 6 at least of a sphere, 1 of a torus or a "
+                             "square, 6 (g - 1) of genus g")(
     "face-cost", po::value<double>()->default_value(500),
     ".step: the number of controls that a face is worth")(
     "unit", po::value<std::string>()->default_value("mm"),
@@ -50,13 +50,6 @@ void add_cad_options(po::options_description& options)
     "colour", po::value<std::string>(), ".step: r,g,b from 0 to 1")(
     "schema", po::value<std::string>()->default_value("ap214"), ".step: ap214 or ap242")(
     "metrics", po::value<std::string>(), ".step: JSON file for what is known of the faces");
-}
-
-void throw_no_cad_surface(const std::string& name, int genus)
-{
-  throw SM::Topology_error(SM::Error_code::wrong_genus,
-                           name + ": a surface of genus " + std::to_string(genus) +
-                             " cannot be written as STEP, only disks and those of genus 0 and 1 can");
 }
 
 std::string given_cad_option(const po::variables_map& values)
@@ -124,8 +117,13 @@ Json metrics_of_cad(const SM::Cad_report& r, const SM::Cad_options& cad, const S
             {"surface_volume", number(r.surface_volume)},
             {"smallest_sine", r.smallest_sine},
             {"singular_points", r.singular_points},
-            {"singular_places", Json::array()}};
+            {"singular_places", Json::array()},
+            {"self_intersections", r.self_intersections},
+            {"intersecting_pairs", r.intersecting_pairs},
+            {"intersection_places", Json::array()}};
   for (const Eigen::Vector3d& x : r.singular_places) m["singular_places"].push_back({x[0], x[1], x[2]});
+  for (const Eigen::Vector3d& x : r.intersection_places)
+    m["intersection_places"].push_back({x[0], x[1], x[2]});
   return m;
 }
 
@@ -160,6 +158,11 @@ std::vector<std::string> cad_warnings(const SM::Cad_report& r, double tolerance,
                    " the parameter lines are nearly parallel, so that CAD systems may find no normal, "
                    "first near " +
                    shown_place(r.singular_places.front()));
+  if (r.self_intersections > 0)
+    list.push_back("the surface meets itself at " + std::to_string(r.self_intersections) +
+                   (r.self_intersections == 1 ? " place" : " places") + ", the largest near " +
+                   shown_place(r.intersection_places.front()) +
+                   ": CAD systems may fail to cut it or to unite it with other bodies");
   const double size = r.diagonal * step.scale * SM::millimetres(step.unit);
   if (size < 1 || size > 1e5)
     list.push_back("the body is " + shown(size) +

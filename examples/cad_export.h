@@ -10,6 +10,7 @@
 #include <CGAL/Simple_manifolds/IO/write_step.h>
 #include <CGAL/Simple_manifolds/cad/Cad_options.h>
 #include <CGAL/Simple_manifolds/cad/Cad_report.h>
+#include <CGAL/Simple_manifolds/cad/find_self_intersections.h>
 #include <CGAL/Simple_manifolds/cad/surface_to_cad.h>
 
 #include <CGAL/tags.h>
@@ -18,6 +19,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tools {
@@ -37,6 +39,14 @@ struct Cad_request {
 struct Cad_parts {
   std::vector<SM::Step_body> bodies;
   std::vector<SM::Cad_report> reports;
+
+  /// Adds a body, and looks where it meets itself.
+  void add(const std::string& name, SM::Cad_surface surface, SM::Cad_report report)
+  {
+    SM::find_self_intersections(surface, report);
+    bodies.push_back({name, std::move(surface)});
+    reports.push_back(std::move(report));
+  }
 };
 
 /// The options that a STEP file has.
@@ -48,27 +58,19 @@ std::string given_cad_option(const po::variables_map& values);
 /// \throw po::error
 Cad_request cad_request(const po::variables_map& values);
 
-/// \throw SM::Topology_error  `wrong_genus`: there is no CAD surface of this genus
-[[noreturn]] void throw_no_cad_surface(const std::string& name, int genus);
-
 /// Approximates a surface.
-/// \throw SM::Topology_error  `wrong_genus`: there is no CAD surface over its canonical surface
 template <class Surface>
 void add_cad_part(const Surface& surface, const std::string& name, const SM::Cad_options& options,
                   Cad_parts& parts)
 {
-  if constexpr (SM::has_cad_surface<typename Surface::Atlas>) {
-    SM::Cad_report report;
-    parts.bodies.push_back({name, SM::cad_surface<CGAL::Parallel_if_available_tag>(
-                                    surface, SM::parameters::cad_tolerance(options.tolerance)
-                                               .face_cost(options.face_cost)
-                                               .max_faces(options.max_faces)
-                                               .max_controls(options.max_controls)
-                                               .cad_report(std::ref(report)))});
-    parts.reports.push_back(report);
-  } else {
-    throw_no_cad_surface(name, surface.atlas().genus());
-  }
+  SM::Cad_report report;
+  SM::Cad_surface faces =
+    SM::cad_surface<CGAL::Parallel_if_available_tag>(surface, SM::parameters::cad_tolerance(options.tolerance)
+                                                                .face_cost(options.face_cost)
+                                                                .max_faces(options.max_faces)
+                                                                .max_controls(options.max_controls)
+                                                                .cad_report(std::ref(report)));
+  parts.add(name, std::move(faces), std::move(report));
 }
 
 Json metrics_of_cad(const SM::Cad_report& report, const SM::Cad_options& cad, const SM::Step_options& step);

@@ -63,6 +63,15 @@ endif()
 run(0 "" ${EXPORT_SURFACE} ${surface} -o ${WORK}/b.stp --name a)
 run(0 "" ${CMAKE_COMMAND} -E compare_files ${WORK}/a.stp ${WORK}/b.stp) # deterministic
 run(0 "" ${FIT_MESH} ${MESHES}/torus_quad.off -o ${WORK}/torus --tolerance 0.02 --quiet --cad ${WORK}/torus.step)
+# The STEP file appears with the folder, in it or elsewhere, or not at all.
+run(0 "" ${FIT_MESH} ${MESHES}/torus_quad.off -o ${WORK}/with_cad --tolerance 0.02 --quiet
+    --cad ${WORK}/with_cad/torus.step)
+run(0 "" ${CMAKE_COMMAND} -E compare_files ${WORK}/torus.step ${WORK}/with_cad/torus.step)
+run(2 "." ${FIT_MESH} ${MESHES}/torus_quad.off -o ${WORK}/without --tolerance 0.02 --quiet --cad ${WORK}/no/torus.step)
+run(2 "." ${FIT_MESH} ${MESHES}/torus_quad.off -o ${WORK}/without --tolerance 0.02 --quiet --cad ${WORK}/map.ply)
+if(EXISTS ${WORK}/without OR EXISTS ${WORK}/no OR EXISTS ${WORK}/map.ply)
+  message(SEND_ERROR "fit_mesh --cad has left something of what it could not write")
+endif()
 run(0 "" ${EXPORT_SURFACE} ${WORK}/torus -o ${WORK}/whole.step --max-faces 1)
 file(STRINGS ${WORK}/whole.step seams REGEX "SEAM_CURVE")
 file(STRINGS ${WORK}/torus.step faces REGEX "ADVANCED_FACE")

@@ -15,6 +15,7 @@
 #include <CGAL/Simple_manifolds/IO/surface_io.h>
 #include <CGAL/Simple_manifolds/IO/write_ply.h>
 #include <CGAL/Simple_manifolds/IO/write_tessellation.h>
+#include <CGAL/Simple_manifolds/cad/Cad_surface.h>
 #include <CGAL/Simple_manifolds/correspondence/map_properties.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_confidence.h>
 #include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
@@ -39,6 +40,7 @@ struct Job {
   SM::Atomic_folder& folder;
   Progress& progress;
   Stopwatch& watch;
+  std::vector<const SM::Cad_surface*> cad; // of each map what is written for CAD systems; null: nothing
 };
 
 /// What was fitted to the maps: the surfaces, and of each the report, its metrics, and what is said of its errors.
@@ -76,8 +78,8 @@ confidence_fields([[maybe_unused]] const SM::Fit_confidence& confidence,
 /// tessellation has at least, roughly. Returns the metrics and the tessellation.
 template <class Map, class Surface>
 std::pair<Json, SM::Charted_mesh> write_body(Job& job, const Map& map, const Surface& surface,
-                                             const SM::Fit_report& report, Json metrics,
-                                             const std::string& folder, double least)
+                                             const SM::Fit_report& report, const SM::Cad_surface* cad,
+                                             Json metrics, const std::string& folder, double least)
 {
   const auto file = [&](const char* name) { return job.folder.file(folder + name); };
   // The grid it starts from has a quarter as many vertices as the mesh, roughly; then no face is farther from the
@@ -118,7 +120,7 @@ std::pair<Json, SM::Charted_mesh> write_body(Job& job, const Map& map, const Sur
   });
   if (has_report)
     job.watch.time("report", [&] {
-      write_page(file("report.html"), completed(metrics, "fit_mesh", job.watch), map, surface, report);
+      write_page(file("report.html"), completed(metrics, "fit_mesh", job.watch), map, surface, report, cad);
     });
   metrics = completed(std::move(metrics), "fit_mesh", job.watch);
   write_metrics(file("metrics.json"), metrics);
@@ -147,7 +149,7 @@ int write_fits(Job& job, const Parts& maps, Fits<AnySurface> fits, const Json& p
       own["surface"] = fits.metrics[k];
       own["surface"]["smoothness"] = surface.smoothness();
       own["parameters"] = parameters;
-      auto [all, tessellation] = write_body(job, map, surface, fits.reports[k], std::move(own),
+      auto [all, tessellation] = write_body(job, map, surface, fits.reports[k], job.cad[k], std::move(own),
                                             is_one ? std::string() : folder_of_part(k) + '/', least);
       written_is_within_tolerance[k] = all["written"]["within_tolerance"] == true;
       metrics[k] = std::move(all);
@@ -170,7 +172,7 @@ int write_fits(Job& job, const Parts& maps, Fits<AnySurface> fits, const Json& p
     if (has_report)
       job.watch.time("report", [&] {
         write_page(job.folder.file("report.html"), completed(shown, "fit_mesh", job.watch), maps,
-                   fits.surfaces, fits.reports);
+                   fits.surfaces, fits.reports, job.cad);
       });
     shown = completed(std::move(shown), "fit_mesh", job.watch);
     write_metrics(job.folder.file("metrics.json"), shown);

@@ -175,48 +175,50 @@ template <class Map>
 void add_fitted_part(const Map& map, const std::string& name, const Fit_request& request, Progress& progress,
                      Cad_parts& parts)
 {
-  if constexpr (SM::has_cad_surface<typename Map::Atlas>) {
-    SM::Cad_report report;
-    parts.bodies.push_back({name, SM::fit_cad_surface<CGAL::Parallel_if_available_tag>(
-                                    map, SM::parameters::rms_error(request.average)
-                                           .max_error(request.maximum)
-                                           .cad_report(std::ref(report))
-                                           .visitor(std::ref(progress)))});
-    parts.reports.push_back(report);
-  } else {
-    throw_no_cad_surface(name, map.atlas().genus());
-  }
+  SM::Cad_report report;
+  SM::Cad_surface surface =
+    SM::fit_cad_surface<CGAL::Parallel_if_available_tag>(map, SM::parameters::rms_error(request.average)
+                                                                .max_error(request.maximum)
+                                                                .cad_report(std::ref(report))
+                                                                .visitor(std::ref(progress)));
+  parts.add(name, std::move(surface), std::move(report));
 }
 
-// Fits the bodies for CAD systems to the maps, and says which cannot be served.
+// Fits the bodies for CAD systems to the maps, says which cannot be served, and writes them: they appear with the folder.
 Cad_parts fit_cad(Job& job, const Parts& maps)
 {
   Cad_parts parts;
   const std::string stem = std::filesystem::path(job.options.get<std::string>("cad")).stem().string();
+  std::vector<std::size_t> maps_of_bodies;
   std::vector<Part_message> messages;
   job.watch.time("cad", [&] {
-    for (const auto& part : maps) {
+    for (std::size_t k = 0; k < maps.size(); ++k) {
+      const auto& part = maps[k];
       if (!part.has_value()) continue;
       const std::string name = maps.size() == 1 ? stem : stem + ' ' + part.name;
       try {
         std::visit([&](const auto& map) { add_fitted_part(map, name, job.request, job.progress, parts); },
                    part.value());
+        maps_of_bodies.push_back(k);
       } catch (const SM::Error& e) {
         messages.push_back({maps.size() == 1 ? "" : part.name, std::string("no CAD body: ") + e.what()});
       }
     }
   });
   say_of_parts("fit_mesh", messages);
+  if (!parts.bodies.empty())
+    SM::write_step(job.folder.file_elsewhere(job.options.get<std::string>("cad")), parts.bodies);
+  for (std::size_t k = 0; k < parts.bodies.size(); ++k)
+    job.cad[maps_of_bodies[k]] = &parts.bodies[k].surface; // where it stays when the vector is moved
   return parts;
 }
 
-// Writes them. Returns the status.
-int write_cad(const Job& job, const Cad_parts& parts, std::size_t wanted)
+// Says what became of them. Returns the status.
+int say_cad(const Job& job, const Cad_parts& parts, std::size_t wanted)
 {
-  const std::string file = job.options.get<std::string>("cad");
   if (parts.bodies.empty()) return PARTLY_SERVED;
-  SM::write_step(file, parts.bodies);
-  if (!job.options.get<bool>("quiet")) std::cout << cad_figures(file, parts) << std::flush;
+  if (!job.options.get<bool>("quiet"))
+    std::cout << cad_figures(job.options.get<std::string>("cad"), parts) << std::flush;
   int status = parts.bodies.size() == wanted ? SUCCESS : PARTLY_SERVED;
   std::vector<Part_message> messages;
   for (std::size_t k = 0; k < parts.bodies.size(); ++k) {
@@ -247,8 +249,12 @@ int main(int argc, char** argv)
     const std::size_t asked = asked_parts(options);
     require_outputs(options, request, 1);
     if (options.has("cad")) {
+      const std::string extension =
+        std::filesystem::path(options.get<std::string>("cad")).extension().string();
+      if (extension != ".step" && extension != ".stp") throw Usage_error("--cad writes a .step or .stp file");
       require_not_input(options, options.get<std::string>("cad"));
-      SM::Atomic_file trial(options.get<std::string>("cad")); // leaves no trace
+      SM::Atomic_folder trial(options.get<std::string>("output")); // neither leaves a trace
+      SM::Atomic_file file(trial.file_elsewhere(options.get<std::string>("cad")));
     }
 
     Stopwatch watch;
@@ -263,11 +269,12 @@ int main(int argc, char** argv)
       return map_parts(options, input, SM::map_options_for_fitting(), square_corners, partitions, progress);
     });
     if (SM::number_of_values(maps) == 0) report_errors("fit_mesh", maps, input); // throws
-    Job job{options, request, input, partitions, folder, progress, watch};
+    Job job{options, request,  input, partitions,
+            folder,  progress, watch, std::vector<const SM::Cad_surface*>(maps.size())};
     if (!options.has("cad")) return fit(job, std::move(maps));
     const Cad_parts cad = fit_cad(job, maps);
     const std::size_t wanted = maps.size();
     const int status = fit(job, std::move(maps));
-    return (std::max)(status, write_cad(job, cad, wanted));
+    return (std::max)(status, say_cad(job, cad, wanted));
   });
 }

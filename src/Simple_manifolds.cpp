@@ -16,6 +16,8 @@
 #include <CGAL/Simple_manifolds/atlas/internal/sphere_balance_impl.h>
 #include <CGAL/Simple_manifolds/atlas/internal/torus_balance_impl.h>
 #include <CGAL/Simple_manifolds/cad/Cad_surface_impl.h>
+#include <CGAL/Simple_manifolds/cad/Cad_tessellation_impl.h>
+#include <CGAL/Simple_manifolds/cad/find_self_intersections_impl.h>
 #include <CGAL/Simple_manifolds/cad/internal/Cad_approximation_impl.h>
 #include <CGAL/Simple_manifolds/cad/internal/Face_cut_impl.h>
 #include <CGAL/Simple_manifolds/cad/internal/Smoothness_conditions_impl.h>

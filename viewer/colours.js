@@ -32,6 +32,9 @@ const ramps = {
 const no_value = '9aa0a8'; // of a value that is not finite
 const plain = 'c3c9d4';
 
+// Of the k-th CAD face: hues that differ from those before.
+const face_colour = k => new THREE.Color().setHSL((0.08 + 0.61803399 * k) % 1, 0.42, 0.64).toArray();
+
 const rgb = hex => [0, 2, 4].map(i => parseInt(hex.replace('#', '').slice(i, i + 2), 16) / 255);
 const gradient = ramp => `linear-gradient(to right, ${ramps[ramp].map(c => '#' + c).join(', ')})`;
 

@@ -26,7 +26,7 @@ function unpack(bytes, { type, components, size, first }) {
   return items;
 }
 
-// {info, mesh, surface, net}: the last two only if there is a surface. Of a page of several parts {info, parts}: each
+// {info, mesh, surface, net, cad}: the last three only if there is a surface, or faces for CAD. Of a page of several parts {info, parts}: each
 // part is that, or only info where it has no map. Mesh and surface are triangles that lie in one
 // tile each, with these arrays; of the surface each triangle is a face:
 //
@@ -37,6 +37,7 @@ function unpack(bytes, { type, components, size, first }) {
 //   faces, edges                  per triangle: the face that it is a part of, and which sides are (the mesh)
 //   angle, area                   per face
 //   error, mean, gauss            per vertex, if there is a surface
+//   numbers, borders              of CAD: the face of each triangle; both ends of each segment of the borders
 async function read_data() {
   const info = JSON.parse(document.getElementById('info').textContent);
   const bytes = await inflate(document.getElementById('arrays').textContent);

@@ -80,7 +80,7 @@ function show_notice({ info }, parts = []) {
 
 const with_capital = text => text[0].toUpperCase() + text.slice(1);
 
-function fill_view(view, { mesh, domain = mesh, chosen, surface, net, places, info }) {
+function fill_view(view, { mesh, domain = mesh, chosen, surface, net, cad, places, info }) {
   const { container } = view,
     { atlas } = info;
   const add = (title, text, triangles, k) => {
@@ -114,8 +114,13 @@ function fill_view(view, { mesh, domain = mesh, chosen, surface, net, places, in
     const panel = add('Surface', `${count(surface.triangles.length / 3)} triangles${within}`, surface);
     if (net.points.length > 0) panel.add_net(net, atlas);
   }
+  if (cad) {
+    const n = 1 + cad.numbers.reduce((a, b) => Math.max(a, b), 0);
+    add('CAD faces', `${count(n)} ${n === 1 ? 'face' : 'faces'} with their borders`, cad).add_borders(cad.borders);
+  }
   if (places.length > 0) for (const panel of view.panels) panel.add_places(places);
   container.dataset.count = view.panels.length;
+  container.dataset.domains = atlas.shapes.length;
 }
 
 // ---- Switches and legend ----------------------------------------------------------------------------

@@ -30,6 +30,19 @@ function concatenated(meshes) {
   return all;
 }
 
+// Numbers from 0 on, one list after the other, as numbers through all of them.
+function numbered(lists) {
+  let first = 0;
+  return typed(
+    Int16Array,
+    lists.map(list => {
+      const own = list.map(k => k + first);
+      first = 1 + own.reduce((a, b) => Math.max(a, b), first);
+      return own;
+    })
+  );
+}
+
 // The smallest box about the points of parts, in space: its middle and its diagonal.
 function box_of(parts) {
   const low = [Infinity, Infinity, Infinity],
@@ -69,13 +82,15 @@ function data_of_parts({ info, parts }, shown, chosen) {
         gauss: curvature(mesh.gauss, 2),
       };
     const net = part.net && { points: place(part.net.points), charts: part.net.charts.map(c => c + first) };
+    const cad = part.cad && { ...moved(part.cad), borders: place(part.cad.borders) };
     const places = places_of(part.info).map(place => ({ ...place, chart: place.chart + first, part }));
-    return { part, mesh: moved(part.mesh), surface: moved(part.surface), net, places };
+    return { part, mesh: moved(part.mesh), surface: moved(part.surface), net, cad, places };
   });
   const all = name => placed.map(p => p[name]).filter(Boolean),
     own = placed.find(p => p.part === chosen);
   const surfaces = all('surface'),
-    nets = all('net');
+    nets = all('net'),
+    cads = all('cad');
   return {
     info: {
       ...chosen.info,
@@ -90,6 +105,14 @@ function data_of_parts({ info, parts }, shown, chosen) {
     chosen,
     places: all('places').flat(),
     surface: surfaces.length > 0 ? concatenated(surfaces) : undefined,
+    cad:
+      cads.length > 0
+        ? {
+            ...concatenated(cads),
+            numbers: numbered(cads.map(cad => cad.numbers)),
+            borders: typed(Float32Array, cads.map(cad => cad.borders)),
+          }
+        : undefined,
     net: {
       points: typed(Float32Array, nets.map(net => net.points)),
       charts: typed(Int16Array, nets.map(net => net.charts)),

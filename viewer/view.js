@@ -78,8 +78,9 @@ class Panel {
     geometry.setAttribute('edge', attribute(edges_at_corners(mesh), 3));
     geometry.setAttribute('uv', attribute(at_corners(mesh, mesh.coordinates, 2), 2));
     const colours = atlas.charts.map(chart => rgb(chart.colour)),
+      colour_of = t => (mesh.numbers ? face_colour(mesh.numbers[t]) : colours[chart_of(mesh, t)]),
       chart_colour = new Float32Array(3 * count);
-    for (let c = 0; c < count; ++c) chart_colour.set(colours[chart_of(mesh, Math.floor(c / 3))], 3 * c);
+    for (let c = 0; c < count; ++c) chart_colour.set(colour_of(Math.floor(c / 3)), 3 * c);
     geometry.setAttribute('chart_colour', attribute(chart_colour, 3));
     this.value = attribute(new Float32Array(count), 1);
     geometry.setAttribute('value', this.value);
@@ -90,6 +91,10 @@ class Panel {
       extensions: { derivatives: true },
       uniforms: { ...uniforms, is_flat: { value: !!this.shape && this.shape.is_flat } },
     });
+    if (mesh.numbers) {
+      this.material.uniforms.mode = { value: 1 }; // always
+      Object.assign(this.material, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+    }
     this.object = new THREE.Group();
     const triangles = new THREE.Mesh(geometry, this.material);
     triangles.frustumCulled = false;
@@ -123,6 +128,7 @@ class Panel {
   }
 
   show(field, range) {
+    if (this.mesh.numbers) return; // CAD faces keep their colours
     const { mesh } = this,
       out = this.value.array,
       scale = 1 / (range.high - range.low);
@@ -169,6 +175,16 @@ class Panel {
     );
     this.net.visible = false;
     this.object.add(this.net);
+  }
+
+  // The borders of CAD faces: segments.
+  add_borders(ends) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', attribute(ends, 3));
+    for (const hidden of [false, true]) {
+      const look = { color: 0x0f1420, depthTest: !hidden, transparent: hidden, opacity: hidden ? 0.12 : 1 };
+      this.object.add(new THREE.LineSegments(geometry, new THREE.LineBasicMaterial(look)));
+    }
   }
 
   add_places(places) {

@@ -101,6 +101,8 @@
 #include <CGAL/Simple_manifolds/cad/Cad_options.h>
 #include <CGAL/Simple_manifolds/cad/Cad_report.h>
 #include <CGAL/Simple_manifolds/cad/Cad_surface.h>
+#include <CGAL/Simple_manifolds/cad/Cad_tessellation.h>
+#include <CGAL/Simple_manifolds/cad/cad_domain_point.h>
 #include <CGAL/Simple_manifolds/cad/fit_cad_surface.h>
 #include <CGAL/Simple_manifolds/cad/subdivision_cage.h>
 #include <CGAL/Simple_manifolds/cad/surface_to_cad.h>

@@ -149,6 +149,37 @@ TEST_CASE("the files of a folder appear together, foreign files stay")
   CHECK(base.entries().size() == 12);
 }
 
+TEST_CASE("a file elsewhere appears with a folder, or not at all")
+{
+  const Temporary_folder base;
+  {
+    SM::Atomic_folder folder(base("out"));
+    std::ofstream(folder.file("a")) << "A";
+    std::ofstream(folder.file_elsewhere(base("b"))) << "B";
+    std::ofstream(folder.file_elsewhere(base("out/c"))) << "C"; // the folder is not there yet
+    CHECK_FALSE(std::filesystem::exists(base("b")));
+    folder.commit();
+  }
+  CHECK(base.entries() == Names{"b", "out", "out/a", "out/c"});
+  CHECK(base.read("b") == "B");
+  CHECK(base.read("out/c") == "C");
+  {
+    SM::Atomic_folder folder(base("out"));
+    std::ofstream(folder.file_elsewhere(base("b"))) << "B2";
+    folder.file("never written");
+    CHECK_THROWS_AS(folder.commit(), SM::IO_error);
+  }
+  CHECK(base.read("b") == "B");
+  {
+    SM::Atomic_folder folder(base("new"));
+    std::ofstream(folder.file("a")) << "A";
+    folder.file_elsewhere(base("d")); // never written
+    CHECK_THROWS_AS(folder.commit(), SM::IO_error);
+  }
+  CHECK(base.entries().size() == 4);
+  CHECK_THROWS_AS(SM::Atomic_folder(base("out")).file_elsewhere(base("out")), SM::IO_error);
+}
+
 TEST_CASE("a folder that is not committed leaves nothing behind")
 {
   const Temporary_folder base;

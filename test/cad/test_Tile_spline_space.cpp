@@ -1,6 +1,9 @@
 #include "catch.h"
 
+#include <CGAL/Simple_manifolds/atlas/Hyperbolic_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
+#include <CGAL/Simple_manifolds/atlas/Square_tiling.h>
+#include <CGAL/Simple_manifolds/cad/internal/Cad_domain.h>
 #include <CGAL/Simple_manifolds/cad/internal/Cube_face.h>
 #include <CGAL/Simple_manifolds/cad/internal/Smoothness_conditions.h>
 #include <CGAL/Simple_manifolds/cad/internal/Tile_spline.h>
@@ -139,6 +142,65 @@ TEST_CASE("The conditions hold for what is smooth on the sphere, at the edges of
         CHECK(std::abs(a.o + b.o + z * a.r) <= 1e-13);
         CHECK(std::abs(a.oo + z * a.mixed + 2 * a.o - (b.oo + z * b.mixed + 2 * b.o)) <= 1e-12);
       }
+}
+
+TEST_CASE("Squares of high genus are glued as the tiles of the atlas are, six round a vertex")
+{
+  const SM::Hyperbolic_atlas atlas(4);
+  const si::Tile_gluing squares = si::Cad_domain<SM::Hyperbolic_atlas>::gluing(atlas);
+  REQUIRE(squares.number_of_tiles() == 18);
+  for (int tile = 0; tile < 18; ++tile)
+    for (int side = 0; side < 4; ++side) {
+      const si::Tile_gluing::Side other = squares.across(tile, side);
+      const si::Tile_gluing::Side back = squares.across(other.tile, other.side);
+      CHECK(back.tile == tile);
+      CHECK(back.side == side);
+      const auto point = [&](const si::Tile_gluing::Side& s) {
+        return si::Cad_domain<SM::Hyperbolic_atlas>::point(
+          atlas, {s.tile, si::Smoothness_conditions::on_side(s.side, 0.3)});
+      };
+      CHECK(point({tile, side}) == point(other));
+    }
+  for (const int corner : {0, 7}) {
+    const auto places = squares.places({5, corner, 7}, 7);
+    CHECK(places.size() == 6);
+    for (const si::Tile_place& p : places) CHECK(squares.places(p, 7)[0] == places[0]);
+  }
+}
+
+TEST_CASE("The conditions hold for what is smooth on hyperbolic squares, at their sides")
+{
+  // a function on the rays of the frame of a tile, as it is in the coordinates of the same tile or of one behind a side
+  const auto on_tile = [](const Eigen::Matrix3d& frame, const Vector2d& st) {
+    std::vector<SM::Scalar_jet> ray = {
+      {2 * st[0] - 1, 2, 0, 0, 0, 0}, {2 * st[1] - 1, 0, 2, 0, 0, 0}, SM::Scalar_jet::zero()};
+    ray[2].value = 1;
+    std::vector<SM::Scalar_jet> x(3, SM::Scalar_jet::zero());
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) x[i] += product(SM::Scalar_jet{frame(i, j), 0, 0, 0, 0, 0}, ray[j]);
+    SM::Scalar_jet f = quotient(product(x[0], x[1]), product(x[2], x[2]));
+    const SM::Scalar_jet y = quotient(x[1], x[2]);
+    f += product(product(y, y), product(y, quotient(x[0], x[2])));
+    f += y;
+    return f;
+  };
+  const si::Tile_gluing squares = si::Tile_gluing::squares(3);
+  for (int side = 0; side < 4; ++side) {
+    const SM::Tile_isometry step =
+      SM::Square_tiling::step((side + 3) % 4); // of the atlas, which counts from u = 1
+    const Eigen::Matrix3d frame = step.matrix();
+    const si::Tile_gluing::Side other = squares.across(7, side);
+    for (const double r : {0., 0.1, 0.5, 0.85, 1.}) {
+      const Side_derivatives a =
+        derivatives(on_tile(Eigen::Matrix3d::Identity(), si::Smoothness_conditions::on_side(side, r)), side);
+      const Side_derivatives b =
+        derivatives(on_tile(frame, si::Smoothness_conditions::on_side(other.side, r)), other.side);
+      const double z = 1 - 2 * r;
+      CHECK(std::abs(a.r - b.r) <= 1e-13);
+      CHECK(std::abs(a.o + b.o + z * a.r) <= 1e-12);
+      CHECK(std::abs(a.oo + z * a.mixed - 2 * a.o - (b.oo + z * b.mixed - 2 * b.o)) <= 1e-11);
+    }
+  }
 }
 
 TEST_CASE("The rows of the conditions are those of the derivatives")

@@ -3,6 +3,8 @@
 #include "embedding/analytic_embeddings.h"
 
 #include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/cad/Cad_tessellation.h>
+#include <CGAL/Simple_manifolds/cad/find_self_intersections.h>
 #include <CGAL/Simple_manifolds/cad/surface_to_cad.h>
 #include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/embedding/measures.h>
@@ -17,6 +19,9 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace test_cad_surface {
@@ -87,6 +92,34 @@ struct Broken : analytic::By_jet<Broken> {
   }
 };
 
+// A chart of a smooth surface of high genus, which meets itself in many places.
+struct Sheet : analytic::By_jet<Sheet> {
+  explicit Sheet(int c) : chart(c) {}
+  template <int Order = 2>
+  SM::Jet jet(const Vector2d& uv) const
+  {
+    const Vector3d middle(std::cos(chart), std::sin(2 * chart), std::cos(3 * chart)),
+      a(std::sin(chart), 1, 0.3), b(-0.5, std::cos(chart), 1);
+    return {middle + uv[0] * a + uv[1] * b, a, b, Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
+  }
+  int chart;
+};
+
+// The nodal cubic times a segment: it meets itself on the line x = y = 0.
+struct Loop : analytic::By_jet<Loop> {
+  template <int Order = 2>
+  SM::Jet jet(const Vector2d& uv) const
+  {
+    const double w = 2 * uv[0] - 1;
+    SM::Jet e = SM::Jet::zero();
+    e.value = {w * w - 0.5, w * (w * w - 0.5), uv[1]};
+    e.u = {4 * w, 2 * (3 * w * w - 0.5), 0};
+    e.v = {0, 0, 1};
+    e.uu = {8, 24 * w, 0};
+    return e;
+  }
+};
+
 } // namespace
 
 TEST_CASE("A body over the sphere has six faces or more, with equal curvatures over all edges")
@@ -133,6 +166,76 @@ TEST_CASE("A body over the sphere has six faces or more, with equal curvatures o
     CHECK(angle <= 1e-9);
     CHECK(jump <= 1e-7);
   }
+}
+
+TEST_CASE("A body of genus 3 has a face for each hyperbolic square, with equal curvatures over all edges")
+{
+  std::vector<Sheet> charts;
+  for (int c = 0; c < 12; ++c) charts.push_back(Sheet(c));
+  const SM::Manifold_surface<SM::Hyperbolic_atlas, Sheet> body(charts, SM::Smoothstep_bump<2>(),
+                                                               SM::Hyperbolic_atlas(3));
+  SM::Cad_report r;
+  const SM::Cad_surface c =
+    SM::cad_surface(body, SM::parameters::cad_tolerance(1e-2).cad_report(std::ref(r)));
+  CHECK(c.is_closed());
+  CHECK(check_borders(c) == -4);
+  CHECK(r.faces >= 12);
+  CHECK(r.tolerance_reached);
+  CHECK(r.max_deviation <= 1e-2);
+  CHECK(r.largest_angle <= 1e-6);
+  CHECK(r.largest_curvature_jump <= 1e-6);
+  CHECK(r.volume > 0);
+}
+
+TEST_CASE("Triangles of the faces close the surface, also where a side has several edges")
+{
+  for (const bool is_closed : {true, false}) {
+    CAPTURE(is_closed);
+    const auto np = SM::parameters::cad_tolerance(1e-3).face_cost(0.);
+    const SM::Cad_surface c = is_closed ? SM::cad_surface(analytic::thorny_sphere(), np)
+                                        : SM::cad_surface(analytic::paraboloid(2, -3), np);
+    const SM::Cad_tessellation t = SM::cad_tessellation(c, 2);
+    std::map<std::pair<int, int>, int> edges;
+    bool is_positive = true;
+    for (const auto& triangle : t.triangles) {
+      const auto& [p, q, s] =
+        std::tie(t.vertices[triangle[0]], t.vertices[triangle[1]], t.vertices[triangle[2]]);
+      const Vector2d a = q.uv - p.uv, b = s.uv - p.uv;
+      is_positive = is_positive && p.face == q.face && q.face == s.face && a[0] * b[1] - a[1] * b[0] > 0;
+      for (int k = 0; k < 3; ++k)
+        ++edges[{t.vertices[triangle[k]].point, t.vertices[triangle[(k + 1) % 3]].point}];
+    }
+    CHECK(is_positive);
+    double error = 0;
+    for (const auto& v : t.vertices)
+      error = (std::max)(error, (c.faces()[v.face].jet(v.uv).value - t.points[v.point]).norm());
+    CHECK(error <= 1e-14 * c.diagonal());
+    std::size_t borders = 0;
+    bool are_once = true;
+    for (const auto& [edge, count] : edges) {
+      are_once = are_once && count == 1;
+      borders += edges.count({edge.second, edge.first}) == 0;
+    }
+    CHECK(are_once);
+    CHECK(borders == (is_closed ? 0 : 32)); // four cells per side of the square, each in two
+    CHECK(2 * t.points.size() == t.triangles.size() + 2 + (is_closed ? 2 : borders));
+    CHECK(t.edges.size() == c.edges().size());
+  }
+}
+
+TEST_CASE("Places where a surface meets itself are found")
+{
+  SM::Cad_report r;
+  SM::find_self_intersections(SM::cad_surface(analytic::thorny_sphere()), r);
+  CHECK(r.has_searched_intersections);
+  CHECK(r.self_intersections == 0);
+
+  const SM::Manifold_surface<SM::Plane_atlas, Loop> loop({Loop()});
+  SM::find_self_intersections(SM::cad_surface(loop), r);
+  CHECK(r.self_intersections == 1);
+  CHECK(r.intersecting_pairs > 0);
+  REQUIRE(r.intersection_places.size() == 1);
+  CHECK((r.intersection_places[0] - Vector3d(0, 0, 0.5)).norm() <= 0.1);
 }
 
 TEST_CASE("Jets of a face are its derivatives, and curvatures converge to those of the surface")

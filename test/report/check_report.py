@@ -5,6 +5,7 @@ Opens reports of the three canonical surfaces in a browser: nothing is complaine
 views are drawn, every switch changes the picture and back, pointer and keys work, the values at a point are those
 of map.ply, folds are marked, and the page fits a phone. Status 77 where no browser is installed.
 """
+import colorsys
 import itertools
 import json
 import math
@@ -272,7 +273,7 @@ class Page:
             self.browser.run("""const select = document.getElementById('part');
                 select.value = [...select.options].find(e => e.textContent === arguments[0]).value;
                 select.dispatchEvent(new Event('change'));""", name)
-            self.check(titles() == ["Mesh", *own, "Surface"], f"{name} has the views {titles()}")
+            self.check(titles() == ["Mesh", *own, "Surface", "CAD faces"], f"{name} has the views {titles()}")
             figures = self.browser.run("return document.getElementById('figures').textContent")
             self.check(name in figures, f"the figures are not those of {name}")
         self.browser.run("document.querySelector('input[name=field][value=gauss]').click()")
@@ -313,6 +314,20 @@ class Page:
             red = sum(r > 200 and g < 70 and b < 120 for row in square for r, g, b in row)
             self.check(red > 20, f"view {panel} has {red} red pixels in the middle")
 
+    def check_cad(self, faces):
+        """The faces for CAD are in the last view, each in a colour of its own, with dark borders between them."""
+        panel = self.browser.run("return document.querySelectorAll('.panel').length") - 1
+        title = self.browser.run("return document.querySelectorAll('.panel h3')[arguments[0]].textContent", panel)
+        self.check(title.startswith(f"CAD faces{faces} faces"), f"the view of CAD faces is called {title}")
+        rows = pixels(self.browser.screenshot("#panels", 1))
+        scale = len(rows[0]) / self.browser.run("return document.getElementById('panels').clientWidth")
+        left = self.browser.run("return document.getElementById('panels').getBoundingClientRect().left")
+        x, _, width, _ = self.box(panel)
+        seen = [c for row in rows for c in row[round((x - left) * scale):round((x - left + width) * scale)]]
+        hues = {round(6 * colorsys.rgb_to_hsv(*c)[0]) for c in seen if max(c) - min(c) > 40}
+        dark = sum(max(c) < 70 for c in seen)
+        self.check(len(hues) >= 3 and dark > 30, f"the view of CAD faces has {len(hues)} hues, {dark} dark pixels")
+
     def check_quiet(self):
         for line in self.browser.log():
             self.check(line["level"] not in ("SEVERE", "ERROR"), f"console: {line['message']}")
@@ -332,10 +347,13 @@ def main():
     of_map = ["charts", "checker", "angle", "area"]
     of_surface = of_map + ["error", "mean", "gauss", "shape"]
     with Browser(800, 560) as browser:
-        for name, views in ("hand", 3), ("knot1", 4), ("three_peaks", 3):
-            subprocess.run([fit_mesh, f"{meshes}/{name}.off", "-o", work / name, "--quiet"], check=True)
+        for name, views in ("hand", 4), ("knot1", 4), ("three_peaks", 3):
+            cad = ["--cad", work / f"{name}.step"] if name == "hand" else []
+            subprocess.run([fit_mesh, f"{meshes}/{name}.off", "-o", work / name, "--quiet", *cad], check=True)
             page = Page(browser, work / name / "report.html", name)
             page.check_panels(views)
+            if cad:
+                page.check_cad(len(re.findall("ADVANCED_FACE", cad[1].read_text())))
             page.check_switches(of_surface)
             page.check_pointer_and_keys()
             page.check_values(work / name)
@@ -367,9 +385,10 @@ def main():
 
         bodies = work / "bodies.off"
         join(bodies, [pathlib.Path(meshes) / f"{name}.off" for name in ("torus_quad", "sphere")])
-        subprocess.run([fit_mesh, bodies, "-o", work / "bodies", "--quiet"], check=True)
+        subprocess.run([fit_mesh, bodies, "-o", work / "bodies", "--quiet", "--cad", work / "bodies.step"], check=True)
         page = Page(browser, work / "bodies" / "report.html", "bodies")
-        page.check_panels(3)
+        page.check_panels(4)
+        page.check_cad(15)
         page.check_parts({"part-1": ["Unit sphere"], "part-2": ["Flat torus", "Ring torus"]})
         page.check_quiet()
 

@@ -165,7 +165,22 @@ public:
     return (temporary_ / name).string();
   }
 
-  /// Moves the files into the folder.
+  /// The path at which the caller writes a file that appears together with those in the folder, wherever it is. One in the
+  /// folder itself is as those of `file()`.
+  /// \throw IO_error (`cannot_write`) when `file` is a folder or a device
+  std::string file_elsewhere(const std::string& file)
+  {
+    const std::filesystem::path path = internal::writable_path(file);
+    std::error_code ignored;
+    if (std::filesystem::absolute(path, ignored).lexically_normal().parent_path() ==
+        absolute_folder().lexically_normal())
+      return this->file(path.filename().string());
+    const std::filesystem::path temporary = internal::unused_path_beside(path);
+    pending_.add(temporary, path);
+    return temporary.string();
+  }
+
+  /// Moves the files to where they belong.
   /// \throw IO_error (`cannot_write`) when a file is missing or cannot be moved
   void commit()
   {

@@ -91,6 +91,16 @@ void write_report(const std::string& file, const Map& map, const nlohmann::order
   internal::write_report_page(file, page, std::move(info), arrays);
 }
 
+// Forward: the functions without a CAD surface call those with one.
+template <class Map, class Surface>
+void write_report(const std::string& file, const Map& map, const Surface& surface, const Fit_report& report,
+                  const Cad_surface* cad, const nlohmann::ordered_json& figures, std::string_view page);
+template <class AnyMap, class AnySurface>
+void write_report(const std::string& file, const std::vector<Component<AnyMap>>& maps,
+                  const std::vector<Component<AnySurface>>& surfaces, const std::vector<Fit_report>& reports,
+                  const std::vector<const Cad_surface*>& cad, const nlohmann::ordered_json& figures,
+                  std::string_view page);
+
 /// \ingroup PkgSimpleManifoldsIO
 ///
 /// The same with a surface that was fitted to the map: a third panel shows it, and the fit error, its
@@ -102,9 +112,21 @@ template <class Map, class Surface>
 void write_report(const std::string& file, const Map& map, const Surface& surface, const Fit_report& report,
                   const nlohmann::ordered_json& figures, std::string_view page)
 {
+  write_report(file, map, surface, report, static_cast<const Cad_surface*>(nullptr), figures, page);
+}
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// The same with the faces of a CAD surface over the same atlas, in a panel of their own with their borders.
+/// \param cad  null: there is none
+template <class Map, class Surface>
+void write_report(const std::string& file, const Map& map, const Surface& surface, const Fit_report& report,
+                  const Cad_surface* cad, const nlohmann::ordered_json& figures, std::string_view page)
+{
   internal::Report_arrays arrays;
   internal::Report_part<internal::Map_on_arrays<Map>> part(map, figures);
   part.add_surface(surface, report, arrays);
+  if (cad) part.add_cad(*cad, arrays);
   auto info = part.add_mesh(arrays);
   internal::write_report_page(file, page, std::move(info), arrays);
 }
@@ -137,8 +159,24 @@ void write_report(const std::string& file, const std::vector<Component<AnyMap>>&
                   const std::vector<Component<AnySurface>>& surfaces, const std::vector<Fit_report>& reports,
                   const nlohmann::ordered_json& figures, std::string_view page)
 {
-  CGAL_precondition(surfaces.size() == maps.size() && reports.size() == maps.size());
+  write_report(file, maps, surfaces, reports, std::vector<const Cad_surface*>(maps.size()), figures, page);
+}
+
+/// \ingroup PkgSimpleManifoldsIO
+///
+/// The same with the faces of CAD surfaces.
+/// \param cad  one for each map, or null
+/// \pre `cad.size() == maps.size()`
+template <class AnyMap, class AnySurface>
+void write_report(const std::string& file, const std::vector<Component<AnyMap>>& maps,
+                  const std::vector<Component<AnySurface>>& surfaces, const std::vector<Fit_report>& reports,
+                  const std::vector<const Cad_surface*>& cad, const nlohmann::ordered_json& figures,
+                  std::string_view page)
+{
+  CGAL_precondition(surfaces.size() == maps.size() && reports.size() == maps.size() &&
+                    cad.size() == maps.size());
   const auto add = [&](auto& part, const auto& map, std::size_t k, auto& arrays, const std::string& prefix) {
+    if (cad[k]) part.add_cad(*cad[k], arrays, prefix);
     if (!surfaces[k].has_value()) return std::string(surfaces[k].error().what());
     std::visit(
       [&](const auto& surface) {

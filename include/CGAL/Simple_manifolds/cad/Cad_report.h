@@ -57,6 +57,12 @@ struct Cad_report {
   std::size_t singular_points =
     0; ///< points, 25 or 64 in each span, where it is below 0.01: CAD systems may find no normal
   std::vector<Eigen::Vector3d> singular_places; ///< the first ones, at most ten
+
+  bool has_searched_intersections =
+    false; ///< whether `find_self_intersections()` was called: else the rest says nothing
+  std::size_t self_intersections = 0;               ///< places where the surface meets itself
+  std::size_t intersecting_pairs = 0;               ///< of triangles there
+  std::vector<Eigen::Vector3d> intersection_places; ///< the middles of the largest, at most ten
 };
 
 } // namespace Simple_manifolds

@@ -77,9 +77,9 @@ struct Cad_face {
 /// A surface as CAD systems have them: B-spline faces with common edges and vertices, all of one degree. A closed one
 /// is the boundary of a solid, and its normals point outward.
 ///
-/// Faces over the sphere are bi-quintic, and meet with equal tangent planes and equal curvatures along all edges and at
-/// all vertices, up to rounding; those over the torus and the square are bicubic parts of one function that is twice
-/// continuously differentiable. Sides of faces may be longer than those of their neighbours: then they consist of
+/// Faces over the sphere and over surfaces of genus 2 and more are bi-quintic, and meet with equal tangent planes and equal
+/// curvatures along all edges and at all vertices, up to rounding; those over the torus and the square are bicubic parts of
+/// one function that is twice continuously differentiable. Sides of faces may be longer than those of their neighbours: then they consist of
 /// several edges.
 ///
 /// It is made by `cad_surface()` or by `fit_cad_surface()`, and written by `write_step()`.

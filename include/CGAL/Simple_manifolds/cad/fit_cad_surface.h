@@ -88,8 +88,8 @@ Cad_surface fit_cad_surface(const Map& map, const NamedParameters& np)
   visitor.start_phase("CAD surface");
   const Placed_points points = measured_points(map);
   Cad_surface surface = fit_points(
-    Domain::gluing(), points, function, rms_error, max_error, options, is_parallel<ConcurrencyTag>(),
-    [&visitor](double share) { visitor.progress(share); }, report);
+    Domain::gluing(map.atlas()), points, function, rms_error, max_error, options,
+    is_parallel<ConcurrencyTag>(), [&visitor](double share) { visitor.progress(share); }, report);
   visitor.end_phase();
   return surface;
 }
@@ -136,7 +136,7 @@ Cad_surface fit_cad_surface(const Map& map, const NamedParameters& np = paramete
     NamedParameters, "rms_error, max_error, face_cost, max_faces, max_controls, cad_report, visitor");
   CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, cad_report);
   static_assert(internal::Cad_domain<typename Map::Atlas>::exists,
-                "there are CAD surfaces over the sphere, the torus and the square only");
+                "there are no CAD surfaces over this atlas");
   return internal::fit_cad_surface<ConcurrencyTag, internal::Map_on_arrays<Map>>(map, np);
 }
 

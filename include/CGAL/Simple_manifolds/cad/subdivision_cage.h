@@ -37,9 +37,10 @@ struct Quad_cage {
 ///
 /// A control mesh whose Catmull-Clark surface passes through a surface at the vertices of a grid, for programs that
 /// model by subdivision. It is a regular grid but for the eight corners of the cube on the sphere, where three quads
-/// meet. On the square the corners are sharp, and the border is that of a cubic spline.
+/// meet, and the vertices of hyperbolic squares, where six do. On the square the corners are sharp, and the border is
+/// that of a cubic spline.
 ///
-/// The limit is C2 but at these eight points. Between the vertices of the grid it is as near to the surface as the grid is
+/// The limit is C2 but at these points. Between the vertices of the grid it is as near to the surface as the grid is
 /// fine, and the grid is equally fine everywhere: where details are small `cad_surface()` needs fewer numbers.
 ///
 /// \param surface  a `Manifold_surface`

@@ -35,7 +35,7 @@ namespace Simple_manifolds {
 
 /// \ingroup PkgSimpleManifoldsCad
 ///
-/// Whether `cad_surface()` and `fit_cad_surface()` serve surfaces over an atlas: the sphere, the torus and the square.
+/// Whether `cad_surface()` and `fit_cad_surface()` serve surfaces over an atlas: all of this package.
 template <class Atlas>
 inline constexpr bool has_cad_surface = internal::Cad_domain<Atlas>::exists;
 
@@ -45,9 +45,12 @@ inline constexpr bool has_cad_surface = internal::Cad_domain<Atlas>::exists;
 ///
 /// A hierarchical spline is fitted to the surface by least squares, and refined where the distance between points with
 /// the same domain point is above the tolerance. It is C2 on the canonical surface: over the torus and the square a
-/// bicubic spline, over the sphere six bi-quintic ones, one per face of the cube, that satisfy the conditions of equal
-/// tangent planes and curvatures along all edges exactly, up to rounding. Then it is cut into rectangles, each of which
-/// is one tensor-product face.
+/// bicubic spline, over the sphere six bi-quintic ones, one per face of the cube, and over a surface of genus g >= 2 one
+/// per hyperbolic square, that satisfy the conditions of equal tangent planes and curvatures along all edges exactly, up
+/// to rounding. Then it is cut into rectangles, each of which is one tensor-product face.
+///
+/// Where the faces are farther from the surface than the tolerance, at points that the fit knows nothing of, it is refined
+/// once more.
 ///
 /// The surface is returned also where the tolerance is not reached: `Cad_report::tolerance_reached` says so.
 ///
@@ -82,7 +85,7 @@ Cad_surface cad_surface(const Surface& surface, const NamedParameters& np = para
   CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, cad_report);
   using Atlas = typename Surface::Atlas;
   using Domain = internal::Cad_domain<Atlas>;
-  static_assert(Domain::exists, "there are CAD surfaces over the sphere, the torus and the square only");
+  static_assert(Domain::exists, "there are no CAD surfaces over this atlas");
 
   Cad_options options;
   options.tolerance = internal::parameter(np, internal_np::cad_tolerance, options.tolerance);
@@ -107,7 +110,7 @@ Cad_surface cad_surface(const Surface& surface, const NamedParameters& np = para
   };
   visitor.start_phase("CAD surface");
   Cad_surface result = internal::approximate(
-    Domain::gluing(), function, options, internal::is_parallel<ConcurrencyTag>(),
+    Domain::gluing(surface.atlas()), function, options, internal::is_parallel<ConcurrencyTag>(),
     [&visitor](double share) { visitor.progress(share); }, report);
   constexpr double precision = 1e-4; // of the integrals
   if constexpr (Atlas::is_closed)

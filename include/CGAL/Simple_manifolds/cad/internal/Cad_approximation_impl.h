@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <unordered_map>
 #include <utility>
@@ -130,7 +131,9 @@ inline Cad_surface cut_and_join(const Tile_spline& spline, const Cad_options& op
   return make_cad_surface(spline, faces, cut.units(), origin, scale);
 }
 
-inline void measure_deviation(const Cad_surface& surface, const Tile_function& function, Cad_report& report)
+// Returns the points where the deviation is above the tolerance.
+inline std::vector<Tile_point> measure_deviation(const Cad_surface& surface, const Tile_function& function,
+                                                 double tolerance, Cad_report& report)
 {
   std::vector<Tile_point> points;
   std::vector<Eigen::Vector3d> values;
@@ -148,16 +151,20 @@ inline void measure_deviation(const Cad_surface& surface, const Tile_function& f
           }
       }
   const std::vector<Eigen::Vector3d> targets = function(points);
+  std::vector<Tile_point> too_far;
   double sum = 0;
+  report.max_deviation = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const double d = (values[k] - targets[k]).norm() / report.diagonal;
     sum += d * d;
+    if (d > tolerance) too_far.push_back(points[k]);
     if (d > report.max_deviation) {
       report.max_deviation = d;
       report.worst_point = targets[k];
     }
   }
   report.rms_deviation = std::sqrt(sum / double(values.size()));
+  return too_far;
 }
 
 // Gauss's points of a cell: enough to determine the functions on it.
@@ -166,20 +173,27 @@ inline std::vector<Eigen::Vector2d> nodes_of_cell(int degree)
   return degree == 5 ? products(Gauss_rule<6>().nodes) : products(Gauss_rule<4>().nodes);
 }
 
-// Refines until the fit is good, and cuts it into faces.
+// What is wrong with a surface: where it has to be refined.
+using Cad_check = std::function<std::vector<Tile_point>(const Cad_surface&)>;
+
+// Refines until the fit is good, and cuts it into faces; then until the check finds no fault with them.
 inline Cad_surface run(Tile_spline_fit& fit, const Cad_options& options, const Eigen::Vector3d& origin,
-                       const Cad_progress& progress, Cad_report& report)
+                       const Cad_progress& progress, const Cad_check& check, Cad_report& report)
 {
   double done = 0;
-  do {
-    fit.solve();
-    progress(done += (0.95 - done) / 4);
-  } while (fit.refine());
+  const auto refined = [&] {
+    do {
+      fit.solve();
+      progress(done += (0.95 - done) / 4);
+    } while (fit.refine());
+    return cut_and_join(fit.spline(), options, origin, report.diagonal);
+  };
+  Cad_surface surface = refined();
+  while (fit.refine_at(check(surface))) surface = refined();
   report.stop = fit.stop() == Tile_spline_fit::Stop::TOLERANCE   ? Cad_stop::TOLERANCE
                 : fit.stop() == Tile_spline_fit::Stop::FUNCTIONS ? Cad_stop::CONTROLS
                                                                  : Cad_stop::RESOLUTION;
 
-  Cad_surface surface = cut_and_join(fit.spline(), options, origin, report.diagonal);
   report.functions = std::size_t(fit.spline().space.size());
   for (const auto& leaf : fit.spline().space.leaves())
     report.levels = (std::max)(report.levels, leaf.finest + 1);
@@ -212,8 +226,10 @@ CGAL_SIMPLE_MANIFOLDS_INLINE Cad_surface approximate(const Tile_gluing& gluing, 
   Tile_spline_fit fit(space, fit_options,
                       Function_samples(space, function, box, nodes_of_cell(space.degree())),
                       Function_samples(space, function, box, products(between)));
-  Cad_surface surface = run(fit, options, box.center(), progress, report);
-  measure_deviation(surface, function, report);
+  const Cad_check check = [&](const Cad_surface& s) {
+    return measure_deviation(s, function, options.tolerance, report);
+  };
+  Cad_surface surface = run(fit, options, box.center(), progress, check, report);
   report.tolerance_reached = report.max_deviation <= options.tolerance;
   progress(1);
   return surface;
@@ -296,7 +312,8 @@ CGAL_SIMPLE_MANIFOLDS_INLINE Cad_surface fit_points(const Tile_gluing& gluing, c
   fit_options.is_smooth_across_tiles = gluing.number_of_tiles() > 1;
   fit_options.has_threads = has_threads;
   Tile_spline_fit fit(space, fit_options, Point_samples(space, points, function, box), {});
-  Cad_surface surface = run(fit, options, box.center(), progress, report);
+  const Cad_check check = [](const Cad_surface&) { return std::vector<Tile_point>(); };
+  Cad_surface surface = run(fit, options, box.center(), progress, check, report);
   report.rms_deviation = fit.rms_error();
   report.max_deviation = fit.max_error();
   report.worst_point = box.center() + report.diagonal * fit.worst_value();

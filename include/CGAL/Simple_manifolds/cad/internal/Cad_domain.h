@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CAD_INTERNAL_CAD_DOMAIN_H
 #define CGAL_SIMPLE_MANIFOLDS_CAD_INTERNAL_CAD_DOMAIN_H
 
+#include <CGAL/Simple_manifolds/atlas/Hyperbolic_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
@@ -21,12 +22,6 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-/// A point of a tile.
-struct Tile_point {
-  int tile;
-  Eigen::Vector2d st;
-};
-
 /// The tiles of a canonical surface in the coordinates in which CAD surfaces are splines: the domain point of a point of
 /// a tile, and a point of a tile that a domain point is.
 template <class Atlas>
@@ -37,7 +32,7 @@ struct Cad_domain {
 template <>
 struct Cad_domain<Plane_atlas> {
   static constexpr bool exists = true;
-  static Tile_gluing gluing() { return Tile_gluing::plane(); }
+  static Tile_gluing gluing(const Plane_atlas&) { return Tile_gluing::plane(); }
   static Eigen::Vector2d point(const Plane_atlas&, const Tile_point& p) { return p.st; }
   static Tile_point place(const Plane_atlas&, const Eigen::Vector2d& p) { return {0, p}; }
 };
@@ -45,7 +40,7 @@ struct Cad_domain<Plane_atlas> {
 template <>
 struct Cad_domain<Torus_atlas> {
   static constexpr bool exists = true;
-  static Tile_gluing gluing() { return Tile_gluing::torus(); }
+  static Tile_gluing gluing(const Torus_atlas&) { return Tile_gluing::torus(); }
   static Eigen::Vector2d point(const Torus_atlas& atlas, const Tile_point& p)
   {
     return atlas.canonical(p.st);
@@ -59,7 +54,7 @@ struct Cad_domain<Torus_atlas> {
 template <>
 struct Cad_domain<Sphere_atlas> {
   static constexpr bool exists = true;
-  static Tile_gluing gluing() { return Tile_gluing::cube(); }
+  static Tile_gluing gluing(const Sphere_atlas&) { return Tile_gluing::cube(); }
   static Eigen::Vector3d point(const Sphere_atlas&, const Tile_point& p)
   {
     return Cube_face(p.tile).point(p.st).normalized();
@@ -70,6 +65,20 @@ struct Cad_domain<Sphere_atlas> {
     const Cube_face face(tile);
     const Eigen::Vector2d x = Eigen::Vector2d(p[face.first], p[face.second]) / std::abs(p[face.axis]);
     return {tile, (x + Eigen::Vector2d::Ones()) / 2};
+  }
+};
+
+template <>
+struct Cad_domain<Hyperbolic_atlas> {
+  static constexpr bool exists = true;
+  static Tile_gluing gluing(const Hyperbolic_atlas& atlas) { return Tile_gluing::squares(atlas.genus() - 1); }
+  static Eigen::Vector3d point(const Hyperbolic_atlas& atlas, const Tile_point& p)
+  {
+    return atlas.canonical({double(p.tile), 2 * p.st[0] - 1, 2 * p.st[1] - 1});
+  }
+  static Tile_point place(const Hyperbolic_atlas&, const Eigen::Vector3d& p)
+  {
+    return {int(p[0]), Eigen::Vector2d(p[1] + 1, p[2] + 1) / 2};
   }
 };
 

@@ -20,21 +20,27 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-/// The conditions under which a function on the faces of a cube, in gnomonic coordinates, is twice continuously
-/// differentiable on the sphere. They are linear.
+/// The conditions under which a function on tiles, in coordinates in which geodesics are straight, is twice continuously
+/// differentiable on the canonical surface: the faces of a cube in gnomonic coordinates, three round a vertex, or
+/// hyperbolic squares in those of Klein, six round a vertex. They are linear.
 ///
 /// A function on the sphere is a function F of space that is homogeneous of degree 0; on a face of the cube it is that
 /// of the tile. Let r be the parameter of the common side of two tiles, z = 2 r - 1 its coordinate in [-1,1], and o the
 /// parameter across the side that grows out of the tile. Euler's identity for F, x . grad F = 0, is on the edge
 ///
-///   F^A_o + F^B_o + z F_r = 0,
+///   F^A_o + F^B_o + k z F_r = 0,
 ///
-/// and for its first derivatives, which are homogeneous of degree -1, it says that
+/// where k = 1, and for its first derivatives, which are homogeneous of degree -1, it says that
 ///
-///   F_oo + z F_or + 2 F_o
+///   F_oo + k (z F_or + 2 F_o)
 ///
-/// is the same from both sides. All are derivatives by the parameters of the tiles. Conversely, tiles that satisfy
-/// both have the same tangent planes and the same second fundamental forms, at the corners of the cube, too.
+/// is the same from both sides. All are derivatives by the parameters of the tiles. On hyperbolic squares F is a function
+/// on the cone x^2 + y^2 < 3 z^2 of rays (u,v,1). The change of frame over the side u = 1 takes (1,v,1) to (v,1,1) and
+/// the normal (3,0,1) of the plane of the side to (0,-3,-1); with Euler's identities that F and the second derivative
+/// along the normal are the same from both sides gives the same conditions with k = -1.
+///
+/// Conversely, tiles that satisfy both have the same tangent planes and the same second fundamental forms, at the
+/// vertices of the tiles, too: all conditions at a vertex come from one smooth surface.
 ///
 /// Both sides are polynomials of the degree of the splines between the borders of leaves, so that they agree everywhere
 /// if they do at degree + 1 points. Splines of degree 5 with triple knots have enough freedom left.

@@ -47,17 +47,19 @@ Smoothness_conditions::matrix(const Tile_spline_space& space, double weight)
 {
   std::vector<Eigen::Triplet<double>> entries;
   int row = 0;
+  const int curvature = space.gluing().curvature();
   Tile_spline_space::Rows values;
   // a tile's share of the rows of both kinds
   const auto add = [&](const Tile_gluing::Side& side, const Tile_spline_space::Leaf& leaf, double r,
                        double length, double along, double sign) {
     space.evaluate(leaf, on_side(side.side, r), 2, values);
-    const double z = 2 * r - 1, outward = side.side == 1 || side.side == 2 ? 1 : -1;
+    const double z = curvature * (2 * r - 1), outward = side.side == 1 || side.side == 2 ? 1 : -1;
     const bool is_s = side.side % 2 == 1; // what goes across the side
     for (std::size_t k = 0; k < leaf.functions.size(); ++k) {
       const auto v = values.row(Eigen::Index(k));
       const double o = outward * v[is_s ? 1 : 2], oo = v[is_s ? 3 : 5], mixed = outward * v[4];
-      const double first = o + along * z * v[is_s ? 2 : 1], second = sign * (oo + z * mixed + 2 * o);
+      const double first = o + along * z * v[is_s ? 2 : 1],
+                   second = sign * (oo + z * mixed + 2 * curvature * o);
       const int f = leaf.functions[k].function;
       if (first != 0) entries.emplace_back(row, f, weight * length * first);
       if (second != 0) entries.emplace_back(row + 1, f, weight * length * length * second);

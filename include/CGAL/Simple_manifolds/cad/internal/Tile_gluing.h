@@ -8,8 +8,11 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CAD_INTERNAL_TILE_GLUING_H
 #define CGAL_SIMPLE_MANIFOLDS_CAD_INTERNAL_TILE_GLUING_H
 
+#include <CGAL/Simple_manifolds/atlas/Square_tiling.h>
 #include <CGAL/Simple_manifolds/cad/internal/Cube_face.h>
 #include <CGAL/Simple_manifolds/internal/Short_list.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -18,6 +21,12 @@
 namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
+
+/// A point of a tile.
+struct Tile_point {
+  int tile;
+  Eigen::Vector2d st;
+};
 
 /// A point of a lattice on a tile.
 struct Tile_place {
@@ -41,11 +50,11 @@ public:
     int tile = -1, side = 0; // -1: the border of the surface
   };
 
-  static Tile_gluing plane() { return Tile_gluing(1, false); }
-  static Tile_gluing torus() { return Tile_gluing(1, true); }
+  static Tile_gluing plane() { return Tile_gluing(1, false, 0); }
+  static Tile_gluing torus() { return Tile_gluing(1, true, 0); }
   static Tile_gluing cube()
   {
-    Tile_gluing g(6, false);
+    Tile_gluing g(6, false, 1);
     for (int tile = 0; tile < 6; ++tile) {
       const Cube_face face(tile);
       for (int side = 0; side < 4; ++side) {
@@ -58,9 +67,25 @@ public:
     }
     return g;
   }
+  /// Copies of a ring of six squares, six round a vertex.
+  static Tile_gluing squares(int copies)
+  {
+    constexpr int n = Square_tiling::ring_size;
+    Tile_gluing g(n * copies, false, -1);
+    for (int tile = 0; tile < n * copies; ++tile)
+      for (int side = 0; side < 4; ++side) { // which are counted from u = 1 there
+        const Square_tiling::Side other = Square_tiling::beyond(tile % n, side);
+        const int copy = (tile / n + other.shift + copies) % copies;
+        g.across_[tile][(side + 1) % 4] = {n * copy + other.ring_tile, (other.side + 1) % 4};
+      }
+    return g;
+  }
 
   int number_of_tiles() const { return int(across_.size()); }
   bool is_periodic() const { return is_periodic_; }
+  /// The sign of the curvature of the canonical surface, of which the tiles have coordinates in which geodesics are
+  /// straight.
+  int curvature() const { return curvature_; }
   /// Whether the surface has no border.
   bool is_closed() const { return is_periodic_ || number_of_tiles() > 1; }
   /// What is glued to a side.
@@ -100,10 +125,14 @@ public:
   }
 
 private:
-  Tile_gluing(int tiles, bool is_periodic) : across_(tiles), is_periodic_(is_periodic) {}
+  Tile_gluing(int tiles, bool is_periodic, int curvature)
+    : across_(tiles), is_periodic_(is_periodic), curvature_(curvature)
+  {
+  }
 
   std::vector<std::array<Side, 4>> across_;
   bool is_periodic_;
+  int curvature_;
 };
 
 } // namespace internal

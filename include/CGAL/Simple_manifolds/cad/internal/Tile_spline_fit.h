@@ -58,6 +58,10 @@ public:
   /// \return whether there were any, and cells that can be refined
   bool refine();
 
+  /// Refines the cells with points at which something else has found too large an error.
+  /// \return likewise
+  bool refine_at(const std::vector<Tile_point>& points);
+
   const Tile_spline& spline() const { return spline_; }
   double rms_error() const { return rms_; }
   double max_error() const { return max_; }
@@ -76,6 +80,7 @@ private:
   std::vector<Error> errors(const Sampler& sampler, std::unordered_map<std::uint64_t, Cell_samples>& known);
   void find_samples(const Sampler& sampler, std::unordered_map<std::uint64_t, Cell_samples>& known) const;
   std::vector<Tile_cell> marked(const std::vector<Error>& errors, bool with_rms) const;
+  bool refine(const std::vector<Tile_cell>& cells);
 
   Tile_spline spline_;
   Options options_;

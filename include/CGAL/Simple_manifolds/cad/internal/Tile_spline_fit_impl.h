@@ -231,6 +231,19 @@ CGAL_SIMPLE_MANIFOLDS_INLINE bool Tile_spline_fit::refine()
     const std::vector<Tile_cell> more = marked(errors(check_, checks_), false);
     cells.insert(cells.end(), more.begin(), more.end());
   }
+  return refine(cells);
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE bool Tile_spline_fit::refine_at(const std::vector<Tile_point>& points)
+{
+  if (points.empty()) return false; // why there is no more to do is known
+  std::vector<Tile_cell> cells;
+  for (const Tile_point& p : points) cells.push_back(spline_.space.leaf_at(p.tile, p.st, false, false).cell);
+  return refine(cells);
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE bool Tile_spline_fit::refine(const std::vector<Tile_cell>& cells)
+{
   stop_ = Stop::TOLERANCE;
   if (cells.empty()) return false;
   stop_ = Stop::FUNCTIONS;

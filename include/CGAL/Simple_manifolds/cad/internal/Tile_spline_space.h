@@ -29,7 +29,7 @@ struct Tile_cell {
   /// An integer of its own for each cell.
   std::uint64_t key() const
   {
-    return std::uint64_t(level) << 58 | std::uint64_t(tile) << 44 | std::uint64_t(i) << 22 | std::uint64_t(j);
+    return std::uint64_t(level) << 58 | std::uint64_t(tile) << 36 | std::uint64_t(i) << 18 | std::uint64_t(j);
   }
 };
 

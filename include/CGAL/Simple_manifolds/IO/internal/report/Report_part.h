@@ -16,7 +16,10 @@
 #include <CGAL/Simple_manifolds/IO/internal/report/control_cells.h>
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
+#include <CGAL/Simple_manifolds/cad/Cad_tessellation.h>
+#include <CGAL/Simple_manifolds/cad/cad_domain_point.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
+#include <CGAL/Simple_manifolds/embedding/Jet_geometry.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>
 #include <CGAL/Simple_manifolds/tessellation/Tile_grid.h>
 #include <CGAL/Simple_manifolds/tessellation/refine_triangulation.h>
@@ -28,6 +31,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -94,6 +98,42 @@ public:
     for (const Fit_report::Level& l : report.levels)
       fit["levels"].push_back({{"controls", l.controls}, {"rms", l.rms_error}, {"max", l.max_error}});
     info_["fit"] = std::move(fit);
+  }
+
+  // The faces of a CAD surface, with their borders.
+  void add_cad(const Cad_surface& surface, Report_arrays& arrays, const std::string& prefix = "")
+  {
+    int cells = surface.faces().front().degree > 3 ? 4 : 2; // per span
+    Cad_tessellation tessellation = cad_tessellation(surface, cells);
+    while (cells > 1 && double(tessellation.triangles.size()) > share_ * double(most_faces))
+      tessellation = cad_tessellation(surface, cells /= 2);
+
+    Report_mesh<typename Map::Atlas> mesh;
+    std::vector<int> numbers;
+    Vertex_copies<int> vertices;
+    for (const std::array<int, 3>& t : tessellation.triangles) {
+      const int number = tessellation.vertices[t[0]].face;
+      const Cad_face& face = surface.faces()[number];
+      const auto uv = [&](int k) { return tessellation.vertices[t[k]].uv; };
+      const int tile = map_.atlas().tile(cad_domain_point(map_.atlas(), face, (uv(0) + uv(1) + uv(2)) / 3));
+      Triangle triangle;
+      for (int k = 0; k < 3; ++k)
+        triangle[k] = vertices.find(t[k], tile, [&] {
+          mesh.normals.push_back(normal(face.jet(uv(k))));
+          return mesh.add_vertex(map_.atlas(), tile, cad_domain_point(map_.atlas(), face, uv(k)),
+                                 tessellation.points[tessellation.vertices[t[k]].point]);
+        });
+      mesh.triangles.push_back(triangle);
+      numbers.push_back(number);
+    }
+    std::vector<Eigen::Vector3d> borders; // both ends of each segment
+    for (const std::vector<int>& edge : tessellation.edges)
+      for (std::size_t k = 0; k + 1 < edge.size(); ++k)
+        for (const int point : {edge[k], edge[k + 1]})
+          borders.push_back((tessellation.points[point] - centre_) / unit());
+    mesh.add_to(arrays, prefix + "cad", map_.atlas(), centre_, unit());
+    arrays.add_integers(prefix + "cad.numbers", numbers);
+    arrays.add_vectors(prefix + "cad.borders", borders, 14);
   }
 
   // All that is known of it, after its mesh was added to the arrays.
