@@ -10,6 +10,8 @@
 
 #include <CGAL/Simple_manifolds/IO/internal/report/Report_arrays.h>
 #include <CGAL/Simple_manifolds/IO/internal/report/Report_part.h>
+#include <CGAL/Simple_manifolds/cad/Cad_surface.h>
+#include <CGAL/Simple_manifolds/cad/cad_domain_point.h>
 #include <CGAL/Simple_manifolds/correspondence/Component.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
 #include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
@@ -126,7 +128,9 @@ void write_report(const std::string& file, const Map& map, const Surface& surfac
   internal::Report_arrays arrays;
   internal::Report_part<internal::Map_on_arrays<Map>> part(map, figures);
   part.add_surface(surface, report, arrays);
-  if (cad) part.add_cad(*cad, arrays);
+  CGAL_precondition(!cad || has_cad_surface<typename Map::Atlas>);
+  if constexpr (has_cad_surface<typename Map::Atlas>)
+    if (cad) part.add_cad(*cad, arrays);
   auto info = part.add_mesh(arrays);
   internal::write_report_page(file, page, std::move(info), arrays);
 }

@@ -20,8 +20,15 @@ namespace Simple_manifolds {
 
 /// \ingroup PkgSimpleManifoldsCad
 ///
+/// Whether `cad_surface()` and `fit_cad_surface()` serve surfaces over an atlas: all of this package.
+template <class Atlas>
+inline constexpr bool has_cad_surface = internal::Cad_domain<Atlas>::exists;
+
+/// \ingroup PkgSimpleManifoldsCad
+///
 /// The domain point of a point of a face, given by its parameters: where the surface that it approximates has the point that
 /// belongs to it.
+/// \pre `has_cad_surface<Atlas>`
 /// \param atlas  of the surface, or of the map, that `face` was made for
 template <class Atlas>
 typename Atlas::Domain_point cad_domain_point(const Atlas& atlas, const Cad_face& face,

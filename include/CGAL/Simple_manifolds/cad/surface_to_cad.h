@@ -14,6 +14,7 @@
 #include <CGAL/Simple_manifolds/cad/Cad_options.h>
 #include <CGAL/Simple_manifolds/cad/Cad_report.h>
 #include <CGAL/Simple_manifolds/cad/Cad_surface.h>
+#include <CGAL/Simple_manifolds/cad/cad_domain_point.h>
 #include <CGAL/Simple_manifolds/cad/internal/Cad_approximation.h>
 #include <CGAL/Simple_manifolds/cad/internal/Cad_domain.h>
 #include <CGAL/Simple_manifolds/embedding/measures.h>
@@ -32,12 +33,6 @@
 
 namespace CGAL {
 namespace Simple_manifolds {
-
-/// \ingroup PkgSimpleManifoldsCad
-///
-/// Whether `cad_surface()` and `fit_cad_surface()` serve surfaces over an atlas: all of this package.
-template <class Atlas>
-inline constexpr bool has_cad_surface = internal::Cad_domain<Atlas>::exists;
 
 /// \ingroup PkgSimpleManifoldsCad
 ///
