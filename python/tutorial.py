@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """From a mesh to a smooth surface and what can be asked of it. Usage: tutorial.py [MESH [FOLDER]]
 
-Prints figures, which are those of the same steps in C++ (test/tutorial.cpp), and writes files into FOLDER. Without a mesh
-it makes one: a sphere with bumps.
+Prints figures, which are those of the same steps in C++ (test/tutorial.cpp), and writes files into FOLDER. Without a
+mesh it makes one: a sphere with bumps.
 """
 import sys
 

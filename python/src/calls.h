@@ -12,9 +12,9 @@
 
 namespace simple_manifolds_python {
 
-// What long functions report to: calls `callback(phase, fraction)`, if there is one, and hears ctrl-C. Exceptions of the
-// callback, KeyboardInterrupt among them, pass through the function and leave everything as it was. Members are called
-// without the interpreter's lock and take it, a few times a second at most.
+// What long functions report to: calls `callback(phase, fraction)`, if there is one, and hears ctrl-C. Exceptions of
+// the callback, KeyboardInterrupt among them, pass through the function and leave everything as it was. Members are
+// called without the interpreter's lock and take it, a few times a second at most.
 class Python_visitor {
 public:
   explicit Python_visitor(py::object callback) : callback_(std::move(callback)) {}

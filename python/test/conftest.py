@@ -13,7 +13,8 @@ import simple_manifolds as sm  # noqa: E402
 
 def grid_triangles(rows, columns, wrap):
     """Triangles of a grid of vertices; wrap: it closes in both directions."""
-    i, j = np.meshgrid(np.arange(rows if wrap else rows - 1), np.arange(columns if wrap else columns - 1), indexing="ij")
+    last = 0 if wrap else 1
+    i, j = np.meshgrid(np.arange(rows - last), np.arange(columns - last), indexing="ij")
     at = lambda a, b: (a % rows) * columns + b % columns
     a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
     return np.concatenate([np.stack([a, b, c], axis=-1).reshape(-1, 3), np.stack([a, c, d], axis=-1).reshape(-1, 3)])

@@ -28,7 +28,8 @@ def test_a_file_is_read_to_the_last_bit(tmp_path):
 def test_properties_of_files(tmp_path):
     (tmp_path / "mesh.ply").write_text(
         "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
-        "property float heat\nproperty int label\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
+        "property float heat\nproperty int label\nelement face 4\nproperty list uchar int vertex_indices\n"
+        "end_header\n"
         "0 0 0 0.5 3\n1 0 0 1.5 4\n0 1 0 2.5 5\n0 0 1 3.5 6\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")
     mesh = sm.read_mesh(tmp_path / "mesh.ply")
     assert mesh.vertex_properties["heat"].tolist() == [0.5, 1.5, 2.5, 3.5]
@@ -50,11 +51,11 @@ def test_options_of_repairs():
     points, faces = bumpy_sphere(6)
     turned = sm.repair_mesh((points, faces[:, ::-1]), sm.RepairOptions(face_orientation="outward"))
     assert turned.repair.flipped.count == len(faces)
-    three = ([[0, 0, 0], [0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, -1, 0]], [[0, 1, 2], [1, 0, 3], [0, 1, 4]])  # three faces at an edge
+    book = ([[0, 0, 0], [0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, -1, 0]], [[0, 1, 2], [1, 0, 3], [0, 1, 4]])
     with pytest.raises(sm.TopologyError) as e:
-        sm.repair_mesh(three)
+        sm.repair_mesh(book)
     assert e.value.code == "non_manifold_edge"
-    assert sm.repair_mesh(three, sm.RepairOptions.everything()).repair.cut_edges.count > 0
+    assert sm.repair_mesh(book, sm.RepairOptions.everything()).repair.cut_edges.count > 0
     with pytest.raises(ValueError, match="debris_share"):
         sm.RepairOptions(debris_share=2)
 
@@ -83,11 +84,12 @@ class Like_pyvista:
 
 
 def like_meshio(points, faces):
+    kind = "triangle" if faces.shape[1] == 3 else "quad"
     try:
         import meshio
     except ImportError:
-        return types.SimpleNamespace(points=points, cells_dict={"triangle": faces} if faces.shape[1] == 3 else {"quad": faces})
-    return meshio.Mesh(points, [("triangle" if faces.shape[1] == 3 else "quad", faces)])
+        return types.SimpleNamespace(points=points, cells_dict={kind: faces})
+    return meshio.Mesh(points, [(kind, faces)])
 
 
 @pytest.mark.parametrize("make", [Like_trimesh, Like_pyvista, like_meshio, lambda p, f: (p.tolist(), f.tolist()),

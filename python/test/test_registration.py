@@ -15,7 +15,8 @@ def pair():
 
 def test_landmarks_are_met(pair):
     a, b = pair
-    landmarks = [(np.argmax(a.vertices @ d), np.argmax(b.vertices @ d)) for d in np.concatenate([np.eye(3), -np.eye(3)])]
+    directions = np.concatenate([np.eye(3), -np.eye(3)])
+    landmarks = [(np.argmax(a.vertices @ d), np.argmax(b.vertices @ d)) for d in directions]
     c = sm.register_maps(a, b, landmarks, effort="fast")
     assert c.report.landmarks == 6 and c.source.certificate.is_valid and c.target.certificate.is_valid
     x = c.positions()
@@ -54,6 +55,8 @@ def test_wrong_arguments(pair):
         sm.register_maps(pair[0], sm.map_mesh(torus(12, 6)))
     with pytest.raises(ValueError):
         sm.register_maps(*pair, [(0, 10**6)])
+    with pytest.raises(ValueError):
+        sm.register_maps(*pair, [(0, 2**32)])  # does not wrap round
     with pytest.raises(sm.NumericError) as e:
         sm.register_maps(*pair, [(0, 1), (0, 2)])
     assert e.value.code == "landmarks_not_met"

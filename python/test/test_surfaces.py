@@ -144,10 +144,12 @@ def test_options_of_fits(sphere_map):
 
 
 @pytest.mark.parametrize("call", [
-    lambda s: s.positions([[np.nan, 0, 0]]), lambda s: s.positions([[0, 0]]), lambda s: s.positions(([7], [[0.5, 0.5]])),
+    lambda s: s.positions([[np.nan, 0, 0]]), lambda s: s.positions([[0, 0]]),
+    lambda s: s.positions(([7], [[0.5, 0.5]])),
     lambda s: s.positions(([0], [[1.5, 0.5]])), lambda s: s.positions(([0, 1], [[0.5, 0.5]])),
     lambda s: s.derivatives([[1, 0, 0]], order=3), lambda s: s.tessellate(chord_error=0.0),
-    lambda s: s.tessellate(subdivisions=0), lambda s: s.to_cad(-1.0), lambda s: s.to_cad().save_step("x", unit="ell")])
+    lambda s: s.tessellate(subdivisions=0), lambda s: s.to_cad(-1.0),
+    lambda s: s.to_cad().save_step("x", unit="ell")])
 def test_wrong_arguments(surface, call):
     with pytest.raises(ValueError):
         call(surface)

@@ -8,12 +8,12 @@
     surface.tessellate(chord_error=1e-3).save("hand.glb")
     surface.to_cad().save_step("hand.step")
 
-Lengths that are tolerances are fractions of the diagonal of the bounding box. Bad data raise an `Error`, which says what
-is wrong and where; arguments that make no sense raise ValueError or TypeError.
+Lengths that are tolerances are fractions of the diagonal of the bounding box. Bad data raise an `Error`, which says
+what is wrong and where; arguments that make no sense raise ValueError or TypeError.
 
-Long functions take `progress`: True shows a bar of tqdm where it is installed, a function is called with the name of the
-phase and its share that is done; an exception that it raises cancels the work, as ctrl-C does. Meanwhile other threads of
-Python run. Results do not depend on the number of threads.
+Long functions take `progress`: True shows a bar of tqdm where it is installed, a function is called with the name of
+the phase and its share that is done; an exception that it raises cancels the work, as ctrl-C does. Meanwhile other
+threads of Python run. Results do not depend on the number of threads.
 """
 from __future__ import annotations
 
@@ -31,12 +31,13 @@ from ._meshes import Mesh
 from ._progress import Progress, callback as _callback
 
 __all__ = [
-    "BorderLoop", "CadReport", "CadSurface", "Certificate", "ClosestPoints", "CommonMesh", "Component", "Correspondence",
-    "CorrespondenceDistortion", "Curvatures", "Derivatives", "Distortion", "Error", "FileError", "FitReport",
-    "GeometryError", "InspectedComponent", "LocatedElements", "Map", "Mesh", "MeshInspection", "NumericError",
-    "RegistrationReport", "RepairOptions", "RepairReport", "ShapeSet", "Surface", "SurfaceFaults", "Tessellation",
-    "TopologyError", "certify", "fit_cad_surface", "fit_surface", "inspect_mesh", "load_map", "load_surface", "make_map",
-    "map_components", "map_mesh", "morph", "read_mesh", "register_maps", "register_shapes", "repair_mesh",
+    "BorderLoop", "CadReport", "CadSurface", "Certificate", "ClosestPoints", "CommonMesh", "Component",
+    "Correspondence", "CorrespondenceDistortion", "Curvatures", "Derivatives", "Distortion", "Error", "FileError",
+    "FitReport", "GeometryError", "InspectedComponent", "LocatedElements", "Map", "Mesh", "MeshInspection",
+    "NumericError", "RegistrationReport", "RepairOptions", "RepairReport", "ShapeSet", "Surface", "SurfaceFaults",
+    "Tessellation", "TopologyError", "certify", "fit_cad_surface", "fit_surface", "inspect_mesh", "load_map",
+    "load_surface", "make_map", "map_components", "map_mesh", "morph", "read_mesh", "register_maps",
+    "register_shapes", "repair_mesh",
 ]
 
 Points = Union[np.ndarray, Sequence[Sequence[float]], tuple]
@@ -94,9 +95,9 @@ def _repair_options(repair: Union[bool, RepairOptions]) -> Optional[RepairOption
 def read_mesh(file: Union[str, PathLike], repair: Union[bool, RepairOptions] = True) -> Mesh:
     """Reads OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer, 3MF, COLLADA or glTF, compressed by gzip or not.
 
-    repair: True does what cannot change the object (welds borders that coincide, drops degenerate and duplicate faces,
-    orients faces consistently), RepairOptions what they say; the result is an oriented manifold. False takes the faces
-    as they stand, for inspect_mesh().
+    repair: True does what cannot change the object (welds borders that coincide, drops degenerate and duplicate
+      faces, orients faces consistently), RepairOptions what they say; the result is an oriented manifold. False takes
+      the faces as they stand, for inspect_mesh().
     Raises FileError; TopologyError or GeometryError when the repair leaves no oriented manifold.
     """
     read = _core.read(fspath(file), _repair_options(repair))
@@ -149,8 +150,8 @@ def map_mesh(mesh: Any, domain: str = "auto", *, energy: Optional[str] = None, e
     mesh: a Mesh, any object with vertices and faces (trimesh), points and cells_dict (meshio), points and faces
       (pyvista), or a pair (points, faces).
     domain: 'auto', or 'plane' (the unit square, for disks), 'sphere', 'torus', 'hyperbolic' (genus 2 or more).
-    energy: 'symmetric_dirichlet' or 'amips' with energy_lambda, the weight of areas; area_floor: share of uniform area in
-      the target areas. for_fitting: other defaults of these three, which suit surfaces.
+    energy: 'symmetric_dirichlet' or 'amips' with energy_lambda, the weight of areas; area_floor: share of uniform
+      area in the target areas. for_fitting: other defaults of these three, which suit surfaces.
     effort: 'fast', 'default' or 'quality'. close_borders: 'none', 'small', 'inner' or 'all'.
     corners: four vertices of the border of a disk, counterclockwise. landmarks: (vertex, point of the domain) or
       (vertex, point, weight), towards which the map is drawn; they need a domain.
@@ -172,7 +173,8 @@ def map_mesh(mesh: Any, domain: str = "auto", *, energy: Optional[str] = None, e
         raise ValueError("the four corners have to be different")
     if len(landmarks) and domain not in ("plane", "sphere", "torus"):
         raise ValueError("landmarks need a domain: 'plane', 'sphere' or 'torus'")
-    marked = _vertices_of_faces([l[0] for l in landmarks], np.unique(triangles), "of no face") if len(landmarks) else []
+    used = np.unique(triangles) if len(landmarks) else np.zeros(0, int)
+    marked = _vertices_of_faces([l[0] for l in landmarks], used, "of no face")
     with _callback(progress) as report:
         return _core.map(points, triangles, outer, domain, options, corner_list, np.array(marked, np.int32),
                          np.array([np.asarray(l[1], float) for l in landmarks]),
@@ -181,12 +183,14 @@ def map_mesh(mesh: Any, domain: str = "auto", *, energy: Optional[str] = None, e
 
 def map_components(mesh: Any, *, max_components: Optional[int] = None, energy: Optional[str] = None,
                    energy_lambda: Optional[float] = None, area_floor: Optional[float] = None, effort: str = "default",
-                   close_borders: str = "none", for_fitting: bool = False, progress: Progress = None) -> list[Component]:
-    """Maps each connected component by itself; the error of one does not lose the others. Parameters: see map_mesh()."""
+                   close_borders: str = "none", for_fitting: bool = False,
+                   progress: Progress = None) -> list[Component]:
+    """Maps each connected component by itself; the error of one does not lose the others. See map_mesh()."""
     options = _map_options(energy, energy_lambda, area_floor, effort, close_borders, for_fitting)
     points, triangles, outer = _meshes.triangles(mesh)
     with _callback(progress) as report:
-        return [Component(*c) for c in _core.map_components(points, triangles, outer, options, max_components, report)]
+        found = _core.map_components(points, triangles, outer, options, max_components, report)
+    return [Component(*component) for component in found]
 
 
 def _genus(points: int, triangles: np.ndarray) -> int:
@@ -208,7 +212,7 @@ def make_map(mesh: Any, domain: str, domain_points: Points) -> Map:
 def certify(domain: str, domain_points: Points, faces: Any) -> Certificate:
     """Examines any map of a triangle mesh, by exact signs. `domain_points`: one per vertex."""
     domain_points = np.asarray(domain_points, float)
-    triangles = _meshes._integers(faces, "faces", len(domain_points))
+    triangles = _meshes.integers(faces, "faces", len(domain_points))
     return _core.certify("plane" if domain == "square" else domain, domain_points, triangles,
                          _genus(len(domain_points), triangles))
 
@@ -230,9 +234,10 @@ def fit_surface(mesh_or_map: Any, rms_error: float = 2e-3, max_error: Optional[f
 
     rms_error, max_error: tolerances, fractions of the diagonal; the second is 10 times the first by default.
     degree: of the splines, 2..5. max_controls: limit; None: four for each vertex, from 10,000 to 200,000.
-    refinement: 'adaptive' or 'uniform'. joint_solve: 'at_end', 'always' or 'never'. marking: 'all_points' or 'vertices'.
-    target: 'automatic', 'curved' or 'facets': what the mesh says of the surface. fit_effort: 'fast' or 'compact', which
-      has far fewer controls for the same distance. crease_angle: degrees. fairness: for noisy meshes.
+    refinement: 'adaptive' or 'uniform'. joint_solve: 'at_end', 'always' or 'never'. marking: 'all_points' or
+      'vertices'.
+    target: 'automatic', 'curved' or 'facets': what the mesh says of the surface. fit_effort: 'fast' or 'compact',
+      which has far fewer controls for the same distance. crease_angle: degrees. fairness: for noisy meshes.
     vertex_weights: one per vertex of the map.
     The surface is returned also where the tolerances are not reached: surface.report says so.
     """
@@ -272,8 +277,8 @@ def _normals(self: Surface, points: Points) -> np.ndarray:
 
 
 def _derivatives(self: Surface, points: Points, order: int = 2) -> Derivatives:
-    """Positions with first (order=1) or first and second derivatives, by the coordinates of the given charts, or of the
-    best charts of points of the domain: see chart_points()."""
+    """Positions with first (order=1) or first and second derivatives, by the coordinates of the given charts, or of
+    the best charts of points of the domain: see chart_points()."""
     jets = _core.jets(self, points, order)
     parts = [jets[:, k] for k in range(6)]
     return Derivatives(*parts[:3], *(parts[3:] if order == 2 else (None,) * 3))
@@ -293,15 +298,16 @@ def _tessellate(self: Surface, *, chord_error: Optional[float] = None, edge_leng
                 subdivisions: Optional[int] = None, max_faces: Optional[int] = None) -> Tessellation:
     """A watertight triangle mesh.
 
-    chord_error: largest distance of faces from the surface, a fraction of the diagonal; edge_length: of the longest edge,
-    likewise. With either the mesh is adaptive, up to max_faces; with none it is a grid of subdivisions per tile.
+    chord_error: largest distance of faces from the surface, a fraction of the diagonal; edge_length: of the longest
+      edge, likewise. With either the mesh is adaptive, up to max_faces; with none it is a grid of subdivisions per
+      tile.
     """
     return _core.tessellate(self, chord_error, edge_length, subdivisions, max_faces)
 
 
 def _to_cad(self: Surface, tolerance: float = 1e-3, *, face_cost: float = 500.0, max_faces: int = 0,
             max_controls: int = 200000, progress: Progress = None) -> CadSurface:
-    """Few B-spline faces within a distance of the surface, a fraction of the diagonal; over sphere, torus and square."""
+    """Few B-spline faces within a fraction of the diagonal of the surface; over sphere, torus and square."""
     with _callback(progress) as report:
         return _core.surface_to_cad(self, tolerance, face_cost, max_faces, max_controls, report)
 
@@ -311,8 +317,8 @@ def _charted_mesh(self: Map) -> Tessellation:
     return _core.charted_mesh(self)
 
 
-for _function, _class in ((_positions, Surface), (_normals, Surface), (_derivatives, Surface), (_curvatures, Surface),
-                          (_closest_points, Surface), (_tessellate, Surface), (_to_cad, Surface), (_charted_mesh, Map)):
+for _class, _function in (*((Surface, f) for f in (_positions, _normals, _derivatives, _curvatures, _closest_points,
+                                                   _tessellate, _to_cad)), (Map, _charted_mesh)):
     _function.__name__ = _function.__name__[1:]
     _function.__qualname__ = f"{_class.__name__}.{_function.__name__}"
     setattr(_class, _function.__name__, _function)
@@ -328,7 +334,7 @@ def register_maps(source: Map, target: Map, landmarks: Any = (), *, effort: str 
     landmarks: pairs (vertex of the source, vertex of the target), shape (k, 2), which are met exactly.
     Raises NumericError when landmarks contradict each other or cannot be met.
     """
-    pairs = np.asarray(landmarks, dtype=np.int32).reshape(-1, 2)
+    pairs = _meshes.integers(landmarks, "landmarks").reshape(-1, 2)
     with _callback(progress) as report:
         return _core.register_maps(source, target, pairs, effort, fix_target, report)
 
@@ -336,7 +342,7 @@ def register_maps(source: Map, target: Map, landmarks: Any = (), *, effort: str 
 def register_shapes(maps: Sequence[Map], landmarks: Any = (), *, template_shape: int = 0, mean_iterations: int = 2,
                     effort: str = "default", progress: Progress = None) -> ShapeSet:
     """Registers several shapes. landmarks: a row for each, with its vertex of each shape."""
-    rows = np.asarray(landmarks, dtype=np.int32).reshape(-1, len(maps)) if len(landmarks) else np.zeros((0, 0), np.int32)
+    rows = _meshes.integers(landmarks, "landmarks").reshape(-1, max(len(maps), 1))
     with _callback(progress) as report:
         return _core.register_shapes(list(maps), rows, template_shape, mean_iterations, effort, report)
 

@@ -28,21 +28,22 @@ class Mesh:
         return f"<simple_manifolds.Mesh of {len(self.vertices)} vertices and {len(self.faces)} faces>"
 
 
-def _integers(array: Any, name: str, vertices: int) -> np.ndarray:
+def integers(array: Any, name: str, limit: int = 2**31) -> np.ndarray:
+    """Positions below a limit as 32 bits; -1 for what is none, so that nothing wraps round."""
     array = np.asarray(array)
     if array.size == 0:
         return array.astype(np.int32)
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name} has to be an array of integers, not of {array.dtype}")
-    if array.dtype != np.int32:  # what does not fit into 32 bits is no position of a point; do not let it wrap round
-        array = np.where((array < 0) | (array >= max(vertices, 1)), -1, array)
+    if array.dtype != np.int32:
+        array = np.where((array < 0) | (array >= max(limit, 1)), -1, array)
     return np.ascontiguousarray(array, dtype=np.int32)
 
 
 def _polygons(faces: Any, vertices: int) -> tuple[np.ndarray, np.ndarray]:
     """(corners, sizes) of faces: an array of shape (m, k), a list of sequences, or [k, v1, ..., vk, k, ...]."""
     if isinstance(faces, np.ndarray) and faces.ndim == 2 or not isinstance(faces, np.ndarray) and _is_table(faces):
-        table = _integers(faces, "faces", vertices)
+        table = integers(faces, "faces", vertices)
         return table.reshape(-1), np.full(table.shape[0], table.shape[1], np.int32)
     if isinstance(faces, np.ndarray) and faces.dtype != object:  # the flat list of VTK and pyvista
         flat = np.asarray(faces)
@@ -55,11 +56,11 @@ def _polygons(faces: Any, vertices: int) -> tuple[np.ndarray, np.ndarray]:
             if flat[starts[-1]] < 0 or at > flat.size:
                 raise ValueError("faces is no list [k, v1, ..., vk, k, ...]")
         sizes = flat[starts].astype(np.int32) if starts else np.zeros(0, np.int32)
-        return _integers(np.delete(flat, starts), "faces", vertices), sizes
+        return integers(np.delete(flat, starts), "faces", vertices), sizes
     faces = [np.asarray(f) for f in faces]
     sizes = np.array([f.size for f in faces], np.int32)
     corners = np.concatenate(faces) if faces else np.zeros(0, np.int32)
-    return _integers(corners, "faces", vertices), sizes
+    return integers(corners, "faces", vertices), sizes
 
 
 def _is_table(faces: Any) -> bool:
@@ -70,9 +71,8 @@ def _is_table(faces: Any) -> bool:
 
 
 def arrays(mesh: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(points, corners, sizes) of a mesh: a pair (points, faces), or an object that has
-    `vertices` and `faces` (this package, trimesh), `points` and `cells_dict` (meshio), or `points` and `faces` (pyvista).
-    """
+    """(points, corners, sizes) of a mesh: a pair (points, faces), or an object that has `vertices` and `faces` (this
+    package, trimesh), `points` and `cells_dict` (meshio), or `points` and `faces` (pyvista)."""
     if isinstance(mesh, (tuple, list)):
         if len(mesh) != 2:
             raise TypeError("a mesh is a pair (points, faces), or an object that has both")
