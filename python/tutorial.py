@@ -67,10 +67,9 @@ def main(file=None, folder="."):
     print("triangles", len(tessellation.faces))
     tessellation.save(f"{folder}/surface.glb")
     surface.save(f"{folder}/surface.json")
-    if surface.domain != "hyperbolic":
-        cad = surface.to_cad()
-        print("CAD faces", cad.report.faces, "controls", cad.report.controls)
-        cad.save_step(f"{folder}/surface.step")
+    cad = surface.to_cad()
+    print("CAD faces", cad.report.faces, "controls", cad.report.controls)
+    cad.save_step(f"{folder}/surface.step")
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 #include "objects.h"
 
 #include <CGAL/Simple_manifolds/IO/write_step.h>
+#include <CGAL/Simple_manifolds/cad/find_self_intersections.h>
 #include <CGAL/Simple_manifolds/cad/fit_cad_surface.h>
 #include <CGAL/Simple_manifolds/cad/surface_to_cad.h>
 
@@ -14,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace simple_manifolds_python {
 
@@ -25,12 +27,6 @@ struct Cad {
   SM::Cad_surface surface;
   SM::Cad_report report;
 };
-
-[[noreturn]] void refuse()
-{
-  throw SM::Topology_error(SM::Error_code::wrong_genus,
-                           "there are CAD surfaces over the sphere, the torus and the square only");
-}
 
 void require_positive(double x, const char* message) { require(x > 0 && std::isfinite(x), message); }
 void require_costs(double face_cost)
@@ -45,19 +41,16 @@ Cad surface_to_cad(const Surface& self, double tolerance, double face_cost, std:
   require_costs(face_cost);
   Python_visitor visitor(std::move(progress));
   return self.visit([&](const auto& surface) -> Cad {
-    if constexpr (SM::has_cad_surface<typename std::decay_t<decltype(surface)>::Atlas>)
-      return without_lock([&] {
-        SM::Cad_report report;
-        SM::Cad_surface cad = SM::cad_surface<Parallel>(surface, SM::parameters::cad_tolerance(tolerance)
-                                                                   .face_cost(face_cost)
-                                                                   .max_faces(max_faces)
-                                                                   .max_controls(max_controls)
-                                                                   .cad_report(std::ref(report))
-                                                                   .visitor(std::ref(visitor)));
-        return Cad{std::move(cad), report};
-      });
-    else
-      refuse();
+    return without_lock([&] {
+      SM::Cad_report report;
+      SM::Cad_surface cad = SM::cad_surface<Parallel>(surface, SM::parameters::cad_tolerance(tolerance)
+                                                                 .face_cost(face_cost)
+                                                                 .max_faces(max_faces)
+                                                                 .max_controls(max_controls)
+                                                                 .cad_report(std::ref(report))
+                                                                 .visitor(std::ref(visitor)));
+      return Cad{std::move(cad), report};
+    });
   });
 }
 
@@ -69,21 +62,18 @@ Cad map_to_cad(const Map& self, double rms_error, std::optional<double> max_erro
   require_costs(face_cost);
   Python_visitor visitor(std::move(progress));
   return self.visit([&](const auto& map) -> Cad {
-    if constexpr (SM::has_cad_surface<typename std::decay_t<decltype(map)>::Atlas>)
-      return without_lock([&] {
-        SM::Cad_report report;
-        SM::Cad_surface cad =
-          SM::fit_cad_surface<Parallel>(map, SM::parameters::rms_error(rms_error)
-                                               .max_error(max_error.value_or(10 * rms_error))
-                                               .face_cost(face_cost)
-                                               .max_faces(max_faces)
-                                               .max_controls(max_controls)
-                                               .cad_report(std::ref(report))
-                                               .visitor(std::ref(visitor)));
-        return Cad{std::move(cad), report};
-      });
-    else
-      refuse();
+    return without_lock([&] {
+      SM::Cad_report report;
+      SM::Cad_surface cad =
+        SM::fit_cad_surface<Parallel>(map, SM::parameters::rms_error(rms_error)
+                                             .max_error(max_error.value_or(10 * rms_error))
+                                             .face_cost(face_cost)
+                                             .max_faces(max_faces)
+                                             .max_controls(max_controls)
+                                             .cad_report(std::ref(report))
+                                             .visitor(std::ref(visitor)));
+      return Cad{std::move(cad), report};
+    });
   });
 }
 
@@ -120,12 +110,26 @@ void add_cad(py::module_& m)
                   "Between normals of two faces on an edge, degrees.")
     .def_readonly("largest_curvature_jump", &Report::largest_curvature_jump,
                   "Of the mean curvature there, relative.")
+    .def_readonly("has_searched_intersections", &Report::has_searched_intersections,
+                  "Whether find_self_intersections() was called.")
+    .def_readonly("self_intersections", &Report::self_intersections, "Places where the surface meets itself.")
     .def_readonly("area", &Report::area, "Of the faces.")
     .def_readonly("volume", &Report::volume, "Inside of them; 0: it is not closed.")
     .def_readonly("smallest_sine", &Report::smallest_sine, "Of the angle between the parameter lines.")
     .def_readonly("singular_points", &Report::singular_points, "Where CAD systems may find no normal.");
   py::class_<Cad>(m, "CadSurface", "Few B-spline faces with common edges: a solid, if it is closed.")
     .def_readonly("report", &Cad::report, "What came of it.")
+    .def(
+      "find_self_intersections",
+      [](Cad& self) {
+        SM::Cad_report report = self.report;
+        without_lock([&] { SM::find_self_intersections(self.surface, report); });
+        self.report = std::move(report);
+        return take(std::vector<Eigen::Vector3d>(self.report.intersection_places));
+      },
+      "Where the surface meets itself: the middles of the largest places, at most ten, shape (n, 3). The "
+      "report then has "
+      "their number.")
     .def("save_step", &save_step, py::arg("file"), py::arg("name") = "surface", py::kw_only(),
          py::arg("unit") = "mm", py::arg("scale") = 1., py::arg("schema") = "ap214",
          "Writes a STEP file. unit: 'mm', 'cm', 'm' or 'in'; schema: 'ap214' or 'ap242'.");

@@ -307,7 +307,7 @@ def _tessellate(self: Surface, *, chord_error: Optional[float] = None, edge_leng
 
 def _to_cad(self: Surface, tolerance: float = 1e-3, *, face_cost: float = 500.0, max_faces: int = 0,
             max_controls: int = 200000, progress: Progress = None) -> CadSurface:
-    """Few B-spline faces within a fraction of the diagonal of the surface; over sphere, torus and square."""
+    """Few B-spline faces within a distance of the surface, a fraction of the diagonal."""
     with _callback(progress) as report:
         return _core.surface_to_cad(self, tolerance, face_cost, max_faces, max_controls, report)
 

@@ -25,10 +25,12 @@ class CadReport:
     diagonal: float
     edges: int
     faces: int
+    has_searched_intersections: bool
     largest_angle: float
     largest_curvature_jump: float
     max_deviation: float
     rms_deviation: float
+    self_intersections: int
     singular_points: int
     smallest_sine: float
     tolerance_reached: bool
@@ -36,6 +38,7 @@ class CadReport:
 
 class CadSurface:
     report: CadReport
+    def find_self_intersections(self) -> Floats: ...
     def save_step(self, file: Path, name: str = 'surface', *, unit: str = 'mm', scale: float = 1.0,
                   schema: str = 'ap214') -> None: ...
 
