@@ -1,13 +1,18 @@
 #!/usr/bin/env python3
-"""Usage: check_step_files.py freecad|gmsh FOLDER
+"""Usage: check_step_files.py freecad|gmsh|rhino FOLDER
 
 Opens the STEP files of FOLDER, which write_files left there, with a program that is not ours and compares what it sees
-with expected_step.json. Ends with 77 when the program is not there. Both read them by OpenCASCADE.
+with expected_step.json. Ends with 77 when the program is not there. FreeCAD and gmsh read them by OpenCASCADE; to
+OpenNURBS, the kernel of Rhino, which does not read STEP, check_step_rhino.cjs gives the faces that it finds in them.
 """
 import json
 import math
 import pathlib
+import shutil
+import subprocess
 import sys
+
+RHINO = "rhino3dm@8"
 
 
 def skip(why):
@@ -90,11 +95,33 @@ def check_gmsh(folder, expected, check):
     gmsh.finalize()
 
 
+def check_rhino(folder, expected, check):
+    npm, node = shutil.which("npm"), shutil.which("node")
+    if not npm or not node:
+        skip("npm or node is not installed, which OpenNURBS comes with")
+    tools = folder / "node_rhino"
+    if not (tools / "node_modules" / "rhino3dm").is_dir():
+        tools.mkdir(exist_ok=True)
+        run = subprocess.run([npm, "install", "--no-audit", "--no-fund", "--prefix", str(tools), RHINO],
+                             capture_output=True, text=True, cwd=tools)
+        if run.returncode:
+            skip(f"npm cannot get {RHINO}: {run.stderr.strip().splitlines()[-1:]}")
+    script = pathlib.Path(__file__).resolve().with_name("check_step_rhino.cjs")
+    run = subprocess.run([node, script, str(tools.resolve()), *(str(folder / f"{name}.step") for name in expected)],
+                         capture_output=True, text=True)
+    check.equal("status of node", (run.returncode, run.stderr), (0, ""))
+    for (name, e), found in zip(expected.items(), json.loads(run.stdout)):
+        check.equal(f"{name}: faces", (found["valid"], found["faces"]), (e["faces"], e["faces"]))
+        check.true(f"{name}: edges between faces", found["edges"] > 0 or e["faces"] == 1 and e["solids"] == 0)
+        check.true(f"{name}: gap {found['gap']}", found["gap"] <= 1e-12)
+        check.true(f"{name}: normals {found['angle']}", found["angle"] <= 1e-6)
+
+
 def main():
     program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
     expected = json.loads((folder / "expected_step.json").read_text())
     check = Checks()
-    {"freecad": check_freecad, "gmsh": check_gmsh}[program](folder, expected, check)
+    {"freecad": check_freecad, "gmsh": check_gmsh, "rhino": check_rhino}[program](folder, expected, check)
     print(f"{program}: {check.count} checks, {check.failures} failures")
     sys.exit(check.failures > 0)
 
