@@ -9,6 +9,7 @@ served), "failed" with a "reason", or "skipped". The exit status is not 0, and n
 may help: the program was killed, or ran out of memory or time.
 """
 import argparse
+import collections
 import csv
 import html
 import json
@@ -124,7 +125,8 @@ class Step:
         used = resource.getrusage(resource.RUSAGE_CHILDREN)  # of all programs up to now
         self.record["cpu_seconds"] = round(used.ru_utime + used.ru_stime, 3)
         self.record["max_mb"] = round(used.ru_maxrss / 1024, 1)
-        reason = " ".join(line.strip() for line in message.splitlines() if line.strip())[-600:]
+        lines = [line.strip().removeprefix(f"{program}: ") for line in message.splitlines()]
+        reason = " ".join(line for line in lines if line)[-600:]
         if status == 0:
             return output
         if status == 2:  # usage, or a disk that is full: of no mesh's making
@@ -160,7 +162,12 @@ def summary(found):
     return {"vertices": found["vertices"], "faces": found["faces"], "parts": len(parts),
             "genus": " ".join(str(p.get("genus", "-")) for p in parts[:8]),
             "borders": sum(len(p.get("borders", ())) for p in parts),
-            "surfaces": " ".join(p.get("surface") or "none" for p in parts[:8])}
+            "surfaces": counted([p.get("surface") or "none" for p in parts])}
+
+
+def counted(words):
+    """`sphere`, or of several `6 sphere 1 plane`."""
+    return words[0] if len(words) == 1 else " ".join(f"{n} {w}" for w, n in collections.Counter(words).most_common())
 
 
 def fit(step):
@@ -266,8 +273,8 @@ main {{ display: grid; grid-template-columns: repeat(auto-fill, minmax(11rem, 1f
 figure {{ margin: 0; border: 1px solid #dde; border-radius: 6px; padding: .5rem; overflow-wrap: anywhere }}
 figure {{ font-size: 13px }}
 figure img, figure .none {{ width: 100%; aspect-ratio: 1; background: #f4f5f8; display: block }}
-.failed, .unfinished {{ border-color: #c44 }} .partly {{ border-color: #c90 }} .reason {{ color: #a33 }}
-table {{ border-collapse: collapse }} td, th {{ padding: .1rem .8rem .1rem 0; text-align: left; vertical-align: top }}
+.failed {{ border-color: #c44 }} .partly {{ border-color: #c90 }} .reason {{ color: #a33 }}
+details {{ margin-bottom: 1rem }} ul {{ padding-left: 1.2rem; font-size: 13px; overflow-wrap: anywhere }}
 </style><h1>{title}</h1><p>{totals}. All figures: <a href="table.csv">table.csv</a></p>{failures}<main>{cards}</main>
 """
 
@@ -292,6 +299,13 @@ def card(results, row):
     return f'<figure class="{row["status"]}">{picture}<figcaption>{"<br>".join(lines)}</figcaption></figure>'
 
 
+def listed(some_rows, what, is_open):
+    if not some_rows:
+        return ""
+    lines = "".join(f"<li><b>{html.escape(r['id'])}</b>: {html.escape(r['reason'])}" for r in some_rows)
+    return f"<details {is_open}><summary>{len(some_rows)} {what}</summary><ul>{lines}</ul></details>"
+
+
 def overview(results):
     """Writes table.csv and index.html of what there is."""
     results = pathlib.Path(results)
@@ -304,18 +318,14 @@ def overview(results):
         writer.writerows(all_rows)
     os.chmod(name, 0o644)
     os.replace(name, results / "table.csv")
-    count = {}
-    for r in all_rows:
-        count[r["status"]] = count.get(r["status"], 0) + 1
+    count = collections.Counter(r["status"] for r in all_rows)
     totals = f"{len(all_rows)} meshes: " + ", ".join(f"{n} {s}" for s, n in sorted(count.items()))
-    bad = [r for r in all_rows if r["status"] in ("failed", "skipped", "unfinished")]
-    failures = ""
-    if bad:
-        lines = "".join(f"<tr><td>{html.escape(r['id'])}<td>{html.escape(r['reason'])}" for r in bad)
-        failures = f"<details open><summary>{len(bad)} without a surface</summary><table>{lines}</table></details>"
+    begun = [r for r in all_rows if r["status"] != "unfinished"]
+    failures = (listed([r for r in begun if r["status"] in ("failed", "skipped")], "without a surface", "open") +
+                listed([r for r in all_rows if r["status"] == "unfinished"], "not finished", ""))
     write_atomically(results / "index.html", PAGE.format(
         title="Collection", totals=html.escape(totals), failures=failures,
-        cards="\n".join(card(results, r) for r in all_rows)))
+        cards="\n".join(card(results, r) for r in begun)))
     print(totals)
 
 

@@ -169,8 +169,12 @@ def test_an_exception_of_the_callback_cancels():
     def stop(phase, fraction):
         raise Enough
 
+    points, faces = bumpy_sphere(10)
+    two = np.concatenate([points, points + 5]), np.concatenate([faces, faces + len(points)])
+    seen = []
+    assert len(sm.map_components(two, progress=lambda *call: seen.append(call))) == 2 and seen[-1] == ("map", 1)
     for work in (lambda: sm.map_mesh(bumpy_sphere(10), progress=stop),
-                 lambda: sm.map_components(bumpy_sphere(10), progress=stop),
+                 lambda: sm.map_components(two, progress=stop),  # in threads
                  lambda: sm.fit_surface(sm.map_mesh(torus(12, 6)), progress=stop)):
         with pytest.raises(Enough):
             work()
