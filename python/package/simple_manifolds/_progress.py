@@ -19,7 +19,7 @@ def callback(progress: Progress) -> Iterator[Optional[Callback]]:
         yield progress
         return
     try:
-        from tqdm.auto import tqdm
+        from tqdm.auto import tqdm  # type: ignore
     except ImportError:
         yield None
         return
