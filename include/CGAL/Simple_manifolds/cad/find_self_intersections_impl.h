@@ -35,7 +35,10 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void find_self_intersections(const Cad_surface& sur
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
   constexpr std::size_t most_places = 10;
-  const Cad_tessellation t = cad_tessellation(surface, surface.faces().front().degree > 3 ? 4 : 2);
+  constexpr std::size_t enough = 100000;
+  int cells = surface.faces().front().degree > 3 ? 4 : 2; // per span
+  Cad_tessellation t = cad_tessellation(surface, cells);
+  while (cells < 16 && 4 * t.triangles.size() <= enough) t = cad_tessellation(surface, cells *= 2);
   Mesh mesh;
   for (const Eigen::Vector3d& x : t.points) mesh.add_vertex(Kernel::Point_3(x[0], x[1], x[2]));
   std::vector<Mesh::Face_index> faces; // without those that are no triangle

@@ -103,9 +103,10 @@ public:
   // The faces of a CAD surface, with their borders.
   void add_cad(const Cad_surface& surface, Report_arrays& arrays, const std::string& prefix = "")
   {
-    int cells = surface.faces().front().degree > 3 ? 4 : 2; // per span
+    constexpr double enough = 30000;
+    int cells = 16; // per span
     Cad_tessellation tessellation = cad_tessellation(surface, cells);
-    while (cells > 1 && double(tessellation.triangles.size()) > share_ * double(most_faces))
+    while (cells > 1 && double(tessellation.triangles.size()) > share_ * enough)
       tessellation = cad_tessellation(surface, cells /= 2);
 
     Report_mesh<typename Map::Atlas> mesh;
