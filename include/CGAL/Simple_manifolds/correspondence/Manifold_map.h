@@ -90,6 +90,14 @@ public:
     measure();
   }
 
+  /// The same mesh with other domain points.
+  /// \throw Numeric_error  `map_not_bijective`, with the sentence of the certificate and the first bad face
+  Manifold_map with_domain_points(std::vector<Domain_point> domain_points) const
+  {
+    return Manifold_map(points_, faces_, std::move(domain_points), number_of_input_vertices_,
+                        number_of_virtual_faces_, input_, atlas_);
+  }
+
   /// \name The map as arrays
   /// @{
 

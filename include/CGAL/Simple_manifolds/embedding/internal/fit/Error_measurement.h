@@ -42,8 +42,15 @@ public:
 
   /// \param only_vertices  whether the bound for marking is that of the vertices
   Error_measurement(const Map& map, const Target<Map>& target, const Partition& partition, bool only_vertices)
-    : map_(map), target_(target), points_(map, target), partition_(partition), only_vertices_(only_vertices)
+    : map_(&map), target_(target), points_(map, target), partition_(partition), only_vertices_(only_vertices)
   {
+  }
+
+  /// Goes on with another map of the same mesh.
+  void follow(const Map& map)
+  {
+    map_ = &map;
+    points_.follow(map);
   }
 
   /// Measures errors and fills in those of the report; b_c |E_c - M| too.
@@ -53,7 +60,7 @@ public:
   {
     points_.find_targets(is_parallel);
     errors_.assign(points_.size(), -1); // of points that are not there
-    std::vector<Eigen::Vector3d> normals(map_.number_of_faces(), Eigen::Vector3d::Zero()); // of the fit
+    std::vector<Eigen::Vector3d> normals(map_->number_of_faces(), Eigen::Vector3d::Zero()); // of the fit
     std::vector<Sums> sums(number_of_pieces(), Sums(number_of_charts()));
     parallel_tasks(is_parallel, number_of_pieces(), [&](int piece) {
       std::array<Eigen::Vector3d, 3> corners;
@@ -67,7 +74,7 @@ public:
           sum.disagreement += (w.weight * (own - x)).squaredNorm();
           ++sum.views;
         }
-        errors_[k] = error(p, x, e) / map_.diagonal();
+        errors_[k] = error(p, x, e) / map_->diagonal();
         sum.add(errors_[k]);
         if (face < 0) return;
         corners[count++] = x + e;
@@ -95,7 +102,7 @@ public:
     set(all, report.rms_error, report.max_error);
     report.chart_disagreement = disagreement(all);
     Sum vertices;
-    for (std::size_t k = 0; k < map_.number_of_vertices(); ++k)
+    for (std::size_t k = 0; k < map_->number_of_vertices(); ++k)
       if (errors_[k] >= 0) vertices.add(errors_[k]);
     set(vertices, report.vertex_rms_error, report.vertex_max_error);
     report.vertices = vertices.count;
@@ -128,7 +135,7 @@ public:
   {
     if (max_ > max_tolerance) return (std::max)(max_tolerance, bulk * max_);
     std::vector<double> sorted;
-    for (std::size_t k = 0; k < (only_vertices_ ? map_.number_of_vertices() : errors_.size()); ++k)
+    for (std::size_t k = 0; k < (only_vertices_ ? map_->number_of_vertices() : errors_.size()); ++k)
       if (errors_[k] >= 0) sorted.push_back(errors_[k]);
     std::sort(sorted.begin(), sorted.end(), [](double a, double b) { return a > b; });
     const double ratio = rms_tolerance / rms_, share = (std::max)(1 - ratio * ratio, 0.05);
@@ -144,7 +151,7 @@ public:
   void add_marks(const Fit& fit, double limit, bool only_folds, std::vector<Mark>& marks) const
   {
     std::vector<Fit_samples::View> views;
-    const std::size_t n = map_.number_of_vertices();
+    const std::size_t n = map_->number_of_vertices();
     const auto is_folded = [&](std::size_t k) { return k >= n && is_folded_[(k - n) / 3]; };
     for (int piece = 0; piece < number_of_pieces(); ++piece)
       points_.for_each(
@@ -154,17 +161,20 @@ public:
           for (const auto& w : partition_.weights(p))
             views.push_back({w.point.chart, -1, w.point.uv, w.weight});
           const double error = is_folded(k) ? (std::max)(errors_[k], 1.01 * limit) : errors_[k];
-          fit.mark_jointly(views.data(), views.data() + views.size(), error * map_.diagonal(),
-                           limit * map_.diagonal(), marks);
+          fit.mark_jointly(views.data(), views.data() + views.size(), error * map_->diagonal(),
+                           limit * map_->diagonal(), marks);
         },
         [&](std::size_t k) { return (errors_[k] > limit && !only_folds) || is_folded(k); });
   }
+
+  /// Whether the surface was folded at a face.
+  bool is_folded(int face) const { return is_folded_[face]; }
 
   /// How far the target is from the facets, root mean square and largest, fractions of the diagonal.
   std::pair<double, double> distances_of_target() const
   {
     const auto [rms, largest] = points_.distances_of_target();
-    return {rms / map_.diagonal(), largest / map_.diagonal()};
+    return {rms / map_->diagonal(), largest / map_->diagonal()};
   }
 
   /// Measures closest point distances, and the angles between normals inside of faces.
@@ -182,7 +192,7 @@ public:
         points_.for_each(first + piece,
                          [&](std::size_t, const Domain_point& p, const Eigen::Vector3d& x, int face) {
                            const int c = partition_.atlas().tile(p);
-                           distances[piece][c].add(closest_point_distance(surface, p, x) / map_.diagonal());
+                           distances[piece][c].add(closest_point_distance(surface, p, x) / map_->diagonal());
                            if (face < 0) return;
                            const Eigen::Vector3d n = points_.normal(face), m = surface.normal(p);
                            const double a = std::atan2(n.cross(m).norm(), n.dot(m));
@@ -239,20 +249,20 @@ private:
   }
   double disagreement(const Sum& s) const
   {
-    return s.views > 0 ? std::sqrt(s.disagreement / double(s.views)) / map_.diagonal() : 0;
+    return s.views > 0 ? std::sqrt(s.disagreement / double(s.views)) / map_->diagonal() : 0;
   }
 
   // Where the error is largest, and where the surface is folded.
   void find_places(Fit_report& report) const
   {
-    const std::size_t n = map_.number_of_vertices();
+    const std::size_t n = map_->number_of_vertices();
     const std::size_t worst = std::max_element(errors_.begin(), errors_.end()) - errors_.begin();
     report.folds = 0;
     report.fold_places.clear();
     for (std::size_t f = 0; f < is_folded_.size(); ++f)
       if (is_folded_[f] && ++report.folds <= Fit_report::max_fold_places)
         report.fold_places.push_back({int(f), points_.flat(int(f))});
-    report.worst_point = worst < n ? map_.point(worst) : points_.flat(int((worst - n) / 3));
+    report.worst_point = worst < n ? map_->point(worst) : points_.flat(int((worst - n) / 3));
   }
 
   int number_of_charts() const { return partition_.atlas().number_of_charts(); }
@@ -262,7 +272,7 @@ private:
   // turns by less than 90. That it goes straight where the target has an overhang below the tolerance is no fault.
   void find_folds(bool is_parallel, const std::vector<Eigen::Vector3d>& normals)
   {
-    is_folded_.assign(map_.number_of_faces(), 0);
+    is_folded_.assign(map_->number_of_faces(), 0);
     parallel_for(is_parallel, 0, int(normals.size()), [&](int first, int last) {
       for (int f = first; f < last; ++f) {
         const Eigen::Vector3d n = points_.normal(f);
@@ -276,7 +286,7 @@ private:
     });
   }
 
-  const Map& map_;
+  const Map* map_;
   const Target<Map>& target_;
   Measuring_points<Map> points_;
   const Partition& partition_;

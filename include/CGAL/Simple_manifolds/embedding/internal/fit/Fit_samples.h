@@ -42,6 +42,7 @@ struct Fit_samples {
   std::vector<Eigen::Vector3d> normal; ///< of the target, of length 1; zero where it has none
   std::vector<double> domain;          ///< the share of its chart; of a point of the mesh its weight
   std::vector<double> area;            ///< of the part of the mesh that it stands for
+  std::vector<int> face;               ///< of the mesh; -1 for a vertex
   std::vector<int> owner;              ///< the chart whose cell it samples; or of_vertex, of_face
   std::vector<std::size_t> begin{0};   ///< of the views of a sample
   std::vector<View> views;
@@ -60,12 +61,13 @@ struct Fit_samples {
 
   template <class Weights>
   void add(const Eigen::Vector3d& x, const Eigen::Vector3d& direction, double domain_share, double area_share,
-           int chart, const Weights& weights)
+           int on_face, int chart, const Weights& weights)
   {
     target.push_back(x);
     normal.push_back(direction.stableNormalized());
     domain.push_back(domain_share);
     area.push_back(area_share);
+    face.push_back(on_face);
     owner.push_back(chart);
     for (const auto& w : weights) views.push_back({w.point.chart, -1, w.point.uv, w.weight});
     begin.push_back(views.size());
@@ -78,6 +80,7 @@ struct Fit_samples {
     normal.insert(normal.end(), other.normal.begin(), other.normal.end());
     domain.insert(domain.end(), other.domain.begin(), other.domain.end());
     area.insert(area.end(), other.area.begin(), other.area.end());
+    face.insert(face.end(), other.face.begin(), other.face.end());
     owner.insert(owner.end(), other.owner.begin(), other.owner.end());
     views.insert(views.end(), other.views.begin(), other.views.end());
     for (std::size_t k = 1; k < other.begin.size(); ++k) begin.push_back(shift + other.begin[k]);
@@ -95,6 +98,7 @@ struct Fit_samples {
         normal[to] = normal[k];
         domain[to] = domain[k];
         area[to] = area[k];
+        face[to] = face[k];
         owner[to] = owner[k];
         for (std::size_t v = first; v < last; ++v) views[view++] = views[v];
         begin[++to] = view;
@@ -105,11 +109,26 @@ struct Fit_samples {
     normal.resize(to);
     domain.resize(to);
     area.resize(to);
+    face.resize(to);
     owner.resize(to);
     views.resize(view);
     begin.resize(to + 1);
   }
 };
+
+/// The k-th of some points of a triangle: of a sequence that fills the square evenly (Roberts' R2), folded.
+inline Eigen::Vector3d even_barycentric(int k, int count)
+{
+  if (count == 1) return Eigen::Vector3d::Constant(1. / 3);
+  double s = 0.5 + 0.7548776662466927 * k, t = 0.5 + 0.5698402909980532 * k;
+  s -= std::floor(s);
+  t -= std::floor(t);
+  if (s + t > 1) {
+    s = 1 - s;
+    t = 1 - t;
+  }
+  return {1 - s - t, s, t};
+}
 
 /// Makes samples of a map.
 template <class Map, class Bump>
@@ -124,19 +143,22 @@ public:
   };
 
   Surface_sampler(const Map& map, const Target<Map>& target, const Partition& partition)
-    : map_(map), target_(target), partition_(partition)
+    : map_(&map), target_(target), partition_(partition)
   {
   }
+
+  /// Goes on with another map of the same mesh.
+  void follow(const Map& map) { map_ = &map; }
 
   /// All vertices but those that only close borders; `weights` is empty or has one weight per vertex.
   Fit_samples vertices(const std::vector<double>& weights) const
   {
     Fit_samples samples;
     const std::vector<Eigen::Vector3d> normals = vertex_normals();
-    for (std::size_t v = 0; v < map_.number_of_vertices(); ++v)
-      if (!map_.is_virtual_vertex(v))
-        samples.add(target_.at_vertex(v), normals[v], v < weights.size() ? weights[v] : 1., 0,
-                    Fit_samples::of_vertex, partition_.weights(map_.domain_point(v)));
+    for (std::size_t v = 0; v < map_->number_of_vertices(); ++v)
+      if (!map_->is_virtual_vertex(v))
+        samples.add(target_.at_vertex(v), normals[v], v < weights.size() ? weights[v] : 1., 0, -1,
+                    Fit_samples::of_vertex, partition_.weights(map_->domain_point(v)));
     return samples;
   }
 
@@ -146,12 +168,12 @@ public:
   {
     Fit_samples samples;
     if constexpr (has_facets<Map>) {
-      if (map_.number_of_faces() > wanted) return samples;
+      if (map_->number_of_faces() > wanted) return samples;
       double total = 0;
-      for (std::size_t f = 0; f < map_.number_of_faces(); ++f)
-        if (!map_.is_virtual(f)) total += facet_normal(f).norm();
-      for (std::size_t f = 0; f < map_.number_of_faces(); ++f) {
-        if (map_.is_virtual(f)) continue;
+      for (std::size_t f = 0; f < map_->number_of_faces(); ++f)
+        if (!map_->is_virtual(f)) total += facet_normal(f).norm();
+      for (std::size_t f = 0; f < map_->number_of_faces(); ++f) {
+        if (map_->is_virtual(f)) continue;
         const Eigen::Vector3d n = facet_normal(f);
         const double share = total > 0 ? n.norm() / total : 0;
         const int count = 1 + int(share * double(wanted));
@@ -184,14 +206,15 @@ private:
     std::array<Domain_point, 9> p;
     std::array<Eigen::Vector3d, 9> x;
     std::array<bool, 9> is_virtual;
+    std::array<int, 9> faces;
     for (int k = 0; k < 9; ++k) {
       const Eigen::Vector2d uv((at.cell.i + (2 * (k / 3) + 1) / 6.) / at.side,
                                (at.cell.j + (2 * (k % 3) + 1) / 6.) / at.side);
-      p[k] = map_.atlas().point(Chart_point{at.chart, uv});
-      const typename Map::Location location = map_.to_mesh(p[k], face);
-      face = location.face;
-      is_virtual[k] = map_.is_virtual(face);
-      x[k] = is_virtual[k] ? map_.position(location) : target_(location, p[k]);
+      p[k] = map_->atlas().point(Chart_point{at.chart, uv});
+      const typename Map::Location location = map_->to_mesh(p[k], face);
+      faces[k] = face = location.face;
+      is_virtual[k] = map_->is_virtual(face);
+      x[k] = is_virtual[k] ? map_->position(location) : target_(location, p[k]);
     }
     for (int k = 0; k < 9; ++k) {
       if (is_virtual[k]) // nothing is known of the surface where a border was closed
@@ -201,50 +224,39 @@ private:
       const Eigen::Vector3d du = (x[3 * i1 + j] - x[3 * i0 + j]) / (i1 - i0);
       const Eigen::Vector3d dv = (x[3 * i + j1] - x[3 * i + j0]) / (j1 - j0);
       const Eigen::Vector3d n = du.cross(dv);
-      samples.add(x[k], n, 1 / (9. * at.side * at.side), n.norm(), at.chart, partition_.weights(p[k]));
+      samples.add(x[k], n, 1 / (9. * at.side * at.side), n.norm(), faces[k], at.chart,
+                  partition_.weights(p[k]));
     }
   }
 
-  // The k-th of some points of a face: of a sequence that fills the square evenly (Roberts' R2), folded.
   void add_point(int face, int k, int count, const Eigen::Vector3d& normal, double share,
                  Fit_samples& samples) const
   {
     typename Map::Location at;
     at.face = face;
-    if (count == 1) {
-      at.barycentric.setConstant(1. / 3);
-    } else {
-      double s = 0.5 + 0.7548776662466927 * k, t = 0.5 + 0.5698402909980532 * k;
-      s -= std::floor(s);
-      t -= std::floor(t);
-      if (s + t > 1) {
-        s = 1 - s;
-        t = 1 - t;
-      }
-      at.barycentric = Eigen::Vector3d(1 - s - t, s, t);
-    }
-    const auto p = map_.to_domain(at);
-    samples.add(target_(at, p), normal, share, 0, Fit_samples::of_face, partition_.weights(p));
+    at.barycentric = even_barycentric(k, count);
+    const auto p = map_->to_domain(at);
+    samples.add(target_(at, p), normal, share, 0, face, Fit_samples::of_face, partition_.weights(p));
   }
 
   // Twice the area long.
   Eigen::Vector3d facet_normal(std::size_t f) const
   {
-    const Triangle& t = map_.face(f);
-    return (map_.point(t[1]) - map_.point(t[0])).cross(map_.point(t[2]) - map_.point(t[0]));
+    const Triangle& t = map_->face(f);
+    return (map_->point(t[1]) - map_->point(t[0])).cross(map_->point(t[2]) - map_->point(t[0]));
   }
 
   std::vector<Eigen::Vector3d> vertex_normals() const
   {
-    std::vector<Eigen::Vector3d> normals(map_.number_of_vertices(), Eigen::Vector3d::Zero());
+    std::vector<Eigen::Vector3d> normals(map_->number_of_vertices(), Eigen::Vector3d::Zero());
     if constexpr (has_facets<Map>)
-      for (std::size_t f = 0; f < map_.number_of_faces(); ++f)
-        if (!map_.is_virtual(f))
-          for (const int v : map_.face(f)) normals[v] += facet_normal(f);
+      for (std::size_t f = 0; f < map_->number_of_faces(); ++f)
+        if (!map_->is_virtual(f))
+          for (const int v : map_->face(f)) normals[v] += facet_normal(f);
     return normals;
   }
 
-  const Map& map_;
+  const Map* map_;
   const Target<Map>& target_;
   const Partition& partition_;
 };

@@ -72,6 +72,13 @@ public:
   /// Appends samples: the vertices first, then those of `new_leaves()`.
   void add(const Fit_samples& samples);
 
+  /// Leaves out all samples: those of all leaves are wanted again.
+  void clear_samples()
+  {
+    samples_ = Fit_samples();
+    seen_.clear();
+  }
+
   std::vector<int> all_charts() const;
 
   /// The leaves that were made since the last call.

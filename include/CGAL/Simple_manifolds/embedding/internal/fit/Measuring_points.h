@@ -35,7 +35,7 @@ class Measuring_points {
 public:
   using Domain_point = typename Map::Domain_point;
 
-  Measuring_points(const Map& map, const Target<Map>& target) : map_(map), target_(target)
+  Measuring_points(const Map& map, const Target<Map>& target) : map_(&map), target_(target)
   {
     if constexpr (has_facets<Map>) {
       std::vector<Triangle> own(map.faces());
@@ -44,8 +44,11 @@ public:
     }
   }
 
-  std::size_t size() const { return map_.number_of_vertices() + 3 * map_.number_of_faces(); }
-  int number_of_pieces() const { return pieces_of_vertices() + pieces(map_.number_of_faces()); }
+  /// Goes on with another map of the same mesh.
+  void follow(const Map& map) { map_ = &map; }
+
+  std::size_t size() const { return map_->number_of_vertices() + 3 * map_->number_of_faces(); }
+  int number_of_pieces() const { return pieces_of_vertices() + pieces(map_->number_of_faces()); }
 
   /// Finds the points of a curved target once, as they are needed in every round.
   void find_targets(bool is_parallel)
@@ -64,24 +67,24 @@ public:
   template <class F, class Predicate>
   void for_each(int piece, const F& f, const Predicate& is_wanted) const
   {
-    const std::size_t n = map_.number_of_vertices();
+    const std::size_t n = map_->number_of_vertices();
     if (piece < pieces_of_vertices()) {
       for (std::size_t k = piece * piece_size; k < (std::min)((piece + 1) * piece_size, n); ++k)
-        if (is_wanted(k) && !map_.is_virtual_vertex(k))
-          f(k, map_.domain_point(k), found_.empty() ? target_.at_vertex(k) : found_[k], -1);
+        if (is_wanted(k) && !map_->is_virtual_vertex(k))
+          f(k, map_->domain_point(k), found_.empty() ? target_.at_vertex(k) : found_[k], -1);
       return;
     }
     const std::size_t first = (piece - pieces_of_vertices()) * piece_size;
     typename Map::Location at;
-    for (std::size_t face = first; face < (std::min)(first + piece_size, map_.number_of_faces()); ++face) {
-      if (map_.is_virtual(face)) continue;
+    for (std::size_t face = first; face < (std::min)(first + piece_size, map_->number_of_faces()); ++face) {
+      if (map_->is_virtual(face)) continue;
       at.face = int(face);
       for (int c = 0; c < 3; ++c) {
         const std::size_t k = n + 3 * face + c;
         if (!is_wanted(k)) continue;
         at.barycentric.setConstant(1. / 6);
         at.barycentric[c] = 2. / 3;
-        const Domain_point p = map_.to_domain(at);
+        const Domain_point p = map_->to_domain(at);
         f(k, p, found_.empty() ? target_(at, p) : found_[k], at.face);
       }
     }
@@ -96,7 +99,7 @@ public:
   Eigen::Vector3d normal(int face) const
   {
     if (found_.empty()) return facet_normal(face);
-    const Eigen::Vector3d* x = &found_[map_.number_of_vertices() + 3 * std::size_t(face)];
+    const Eigen::Vector3d* x = &found_[map_->number_of_vertices() + 3 * std::size_t(face)];
     return (x[1] - x[0]).cross(x[2] - x[0]);
   }
 
@@ -114,7 +117,7 @@ public:
     typename Map::Location at;
     at.face = face;
     at.barycentric.setConstant(1. / 3);
-    return map_.position(at);
+    return map_->position(at);
   }
 
   /// How far the target is from the facets, in the direction of their normals: root mean square and largest.
@@ -122,11 +125,11 @@ public:
   {
     double sum = 0, largest = 0;
     std::size_t count = 0;
-    for (std::size_t face = 0; face < map_.number_of_faces() && !found_.empty(); ++face) {
-      if (map_.is_virtual(face)) continue;
+    for (std::size_t face = 0; face < map_->number_of_faces() && !found_.empty(); ++face) {
+      if (map_->is_virtual(face)) continue;
       const Eigen::Vector3d centre = flat(int(face)), normal = facet_normal(int(face)).stableNormalized();
       for (int c = 0; c < 3; ++c, ++count) {
-        const double d = std::abs(normal.dot(found_[map_.number_of_vertices() + 3 * face + c] - centre));
+        const double d = std::abs(normal.dot(found_[map_->number_of_vertices() + 3 * face + c] - centre));
         sum += d * d;
         largest = (std::max)(largest, d);
       }
@@ -144,15 +147,15 @@ private:
       typename Map::Location at;
       at.face = face;
       at.barycentric = Eigen::Vector3d::Unit(c);
-      x[c] = map_.position(at);
+      x[c] = map_->position(at);
     }
     return (x[1] - x[0]).cross(x[2] - x[0]);
   }
 
   static int pieces(std::size_t n) { return int((n + piece_size - 1) / piece_size); }
-  int pieces_of_vertices() const { return pieces(map_.number_of_vertices()); }
+  int pieces_of_vertices() const { return pieces(map_->number_of_vertices()); }
 
-  const Map& map_;
+  const Map* map_;
   const Target<Map>& target_;
   std::vector<int> opposite_; // of the half-edges of faces that are not virtual
   std::vector<Eigen::Vector3d> found_;

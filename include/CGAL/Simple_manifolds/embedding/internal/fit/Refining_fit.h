@@ -19,6 +19,7 @@
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_progress.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_fit.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Sliding_vertices.h>
 #include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
 #include <CGAL/Simple_manifolds/internal/compiled.h>
 #include <CGAL/Simple_manifolds/internal/require_extent.h>
@@ -30,6 +31,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -48,7 +50,7 @@ public:
 
   Refining_fit(const Map& map, const Fit_options& options, const Bump& bump, bool is_parallel)
     : map_(map), options_(options), is_parallel_(is_parallel), target_(map, options, is_parallel),
-      partition_(bump, map.atlas()), sampler_(map, target_, partition_),
+      map_now_(map, target_), partition_(bump, map.atlas()), sampler_(map, target_, partition_),
       errors_(map, target_, partition_, options.marking == Marking::VERTICES)
   {
   }
@@ -57,6 +59,8 @@ public:
 
   Surface run(const Visitor_reference& visitor);
   const Fit_report& report() const { return report_; }
+  /// The map that the surface of the last run suits.
+  const Map& map() const { return map_now_.map(); }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -135,6 +139,7 @@ private:
     report_.tolerance_reached = errors_.meets(rms_error(), max_error());
     progress_.add(errors_.rms() / (std::max)(rms_error(), 1e-300),
                   errors_.maximum() / (std::max)(max_error(), 1e-300), report_.folds, fit.splines());
+    if (!progress_.has_better()) best_map_ = map_now_.state();
     show_progress(report_.max_error * map_.diagonal(), visitor);
   }
 
@@ -216,7 +221,7 @@ private:
   // Whether the last measurement is a reason to end.
   bool is_done()
   {
-    if (report_.tolerance_reached && report_.folds == 0) return true;
+    if (report_.tolerance_reached && (report_.folds == 0 || looseness() > 1)) return true;
     const bool is_stuck = progress_.is_stuck();
     if (is_stuck) stop(Fit_stop::STAGNATION);
     return is_stuck;
@@ -299,7 +304,8 @@ private:
 
   Surface surface(const Fit& fit) const { return Surface(embeddings(fit), partition_.bump(), map_.atlas()); }
 
-  // Normals of the surface, but those of the target where they differ much: there points do not slide.
+  // Normals of the surface, but those of the target where they differ much: there points do not slide, nor where the
+  // surface was folded.
   std::vector<Residual_metric> metrics(const Fit& fit, double slide) const
   {
     std::vector<Residual_metric> metrics(fit.samples().size());
@@ -309,16 +315,20 @@ private:
       const Eigen::Vector3d n = jet.u.cross(jet.v).stableNormalized(), &m = fit.samples().normal[s];
       const double cosine = m.isZero() ? 1 : n.dot(m);
       metrics[s].normal = cosine < 0.3 ? m : n;
-      metrics[s].slide = cosine < 0.5 ? (std::max)(slide, (std::min)(1., 2 * (0.5 - cosine))) : slide;
+      const int face = fit.samples().face[s];
+      if (face >= 0 && map_now_.is_held(face))
+        metrics[s].slide = 1;
+      else
+        metrics[s].slide = cosine < 0.5 ? (std::max)(slide, (std::min)(1., 2 * (0.5 - cosine))) : slide;
     });
     return metrics;
   }
 
-  // Lets points slide along the surface: fewer functions are needed.
+  // Lets points slide along the surface, and the map follow: fewer functions are needed.
   void refine_normally(Fit& fit, const Visitor_reference& visitor)
   {
     constexpr double growth = 1.35; // of a round: what the next functions do is seen before more are added
-    constexpr int alternations = 2, iterations = 40;
+    constexpr int iterations = 40;
     is_sliding_ = true;
     stop(Fit_stop::TOLERANCE);
     progress_ = Fit_progress();
@@ -326,18 +336,47 @@ private:
     double slide = 0.2;
     std::vector<int> changed;
     std::size_t limit;
+    int alternations = 4; // 2 once it has settled
     do {
       timed(report_.seconds.solving_jointly, [&] {
         fit.prune(least_blend);
         if (slide > 0.1) fit.solve_jointly(1e-4);
-        for (int k = 0; k < alternations; ++k, slide = 0.05)
-          fit.solve_normally(metrics(fit, slide), iterations);
       });
+      for (int k = 0; k <= alternations; ++k, slide = 0.05) {
+        timed(report_.seconds.solving_jointly, [&] { fit.solve_normally(metrics(fit, slide), iterations); });
+        if (k < alternations) move_map(fit);
+      }
+      alternations = 2;
       measure(fit, visitor);
+      if constexpr (Sliding_map<Map>::is_possible)
+        if (report_.folds > 0) map_now_.hold([&](int face) { return errors_.is_folded(face); });
       limit = (std::min)(max_controls(), std::size_t(growth * double(fit.controls())));
     } while (!is_done() && refine(fit, joint_marks(fit), changed, limit));
     if (!report_.tolerance_reached && report_.stop == Fit_stop::TOLERANCE)
       stop(fit.is_full(max_controls()) ? Fit_stop::CONTROLS : Fit_stop::RESOLUTION);
+  }
+
+  // Lets the vertices slide to where the surface is, and takes the samples anew.
+  void move_map(Fit& fit)
+  {
+    if constexpr (Sliding_map<Map>::is_possible) {
+      timed(report_.seconds.sampling, [&] {
+        map_now_.slide(is_parallel_, surface(fit));
+        follow_map();
+        fit.clear_samples();
+        fit.add(sampler_.vertices(options_.vertex_weights));
+      });
+      sample(fit);
+      timed(report_.seconds.sampling, [&] { fit.add(sampler_.faces(face_samples)); });
+    }
+  }
+
+  void follow_map()
+  {
+    const Map& map = map_now_.map();
+    target_.follow(map);
+    sampler_.follow(map);
+    errors_.follow(map);
   }
 
   static std::vector<Hierarchical_embedding> embeddings(const Fit& fit)
@@ -362,6 +401,7 @@ private:
   Fit_options options_;
   bool is_parallel_;
   Target<Map> target_;
+  Sliding_map<Map> map_now_;
   Partition_of_unity<Atlas, Bump> partition_;
   Sampler sampler_;
   Error_measurement<Map, Bump> errors_;
@@ -370,7 +410,8 @@ private:
   static constexpr double least_blend = 0.03;       // of a function that is kept
   static constexpr std::size_t face_samples = 6000; // of meshes with few faces
 
-  int rounds_ = 0; // of refinement
+  std::shared_ptr<const Map> best_map_; // of the best round
+  int rounds_ = 0;                      // of refinement
   bool is_sliding_ = false;
   double done_ = 0; // share of the running phase
 };
@@ -388,6 +429,9 @@ typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Vis
   done_ = 0;
   rounds_ = 0;
   is_sliding_ = false;
+  map_now_.restore(nullptr);
+  map_now_.release();
+  follow_map();
   Fit fit(options_.spline_degree, map_.atlas().number_of_charts(), centre(), options_.fairness, is_parallel_);
   timed(report_.seconds.sampling, [&] { fit.add(sampler_.vertices(options_.vertex_weights)); });
   sample(fit);
@@ -398,6 +442,8 @@ typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Vis
   if (options_.effort != Fit_effort::FAST) refine_normally(fit, visitor);
   if (progress_.has_better()) {
     fit.restore(progress_.take_best());
+    map_now_.restore(best_map_);
+    follow_map();
     measure(fit, visitor);
   }
   std::tie(report_.target_rms, report_.target_max) = errors_.distances_of_target();

@@ -56,12 +56,15 @@ public:
       return false;
   }
 
+  /// Domain points are those of another map of the same mesh from now on; the target stays what it is.
+  void follow(const Map& map) { is_of_map_ = &map == &map_; }
+
   /// \param p  the domain point of a location of no virtual face
   Eigen::Vector3d operator()(const Location& location,
                              [[maybe_unused]] const typename Map::Domain_point& p) const
   {
     if constexpr (has_facets<Map>)
-      if (curved_) return curved_->position(location, p);
+      if (curved_) return curved_->position(location, is_of_map_ ? p : map_.to_domain(location));
     return map_.position(location);
   }
 
@@ -77,6 +80,7 @@ private:
   struct None {};
 
   const Map& map_;
+  bool is_of_map_ = true;
   std::conditional_t<has_facets<Map>, std::optional<Curved_target<Map>>, None> curved_;
 };
 
