@@ -53,6 +53,7 @@ int fit_hierarchical(Job& job, Parts maps, const Bump& bump)
 {
   const Fit_request& request = job.request;
   Fits<SM::Any_surface<Bump>> fits;
+  Parts fitted;
   const auto fit = [&] {
     fits.surfaces = job.watch.time("fit", [&] {
       return SM::fit_components<CGAL::Parallel_if_available_tag>(
@@ -68,8 +69,10 @@ int fit_hierarchical(Job& job, Parts maps, const Bump& bump)
                 .crease_angle(request.crease_angle)
                 .fit_effort(request.effort)
                 .fit_reports(std::ref(fits.reports))
+                .fitted_maps(std::ref(fitted))
                 .visitor(std::ref(job.progress)));
     });
+    maps = std::move(fitted);
   };
   fit();
   if (job.options.get<bool>("correct-parameters")) {

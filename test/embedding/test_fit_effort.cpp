@@ -10,7 +10,9 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 namespace test_fit_effort {
@@ -46,7 +48,7 @@ SM::internal::Fit_samples random_samples(const std::vector<SM::internal::Chart_s
     for (int c = 0; c < 2; ++c)
       weights.push_back({{c, Vector2d(number(random), number(random))}, c == 0 ? blend : 1 - blend});
     const auto vector = [&] { return Vector3d(number(random), number(random), number(random)); };
-    samples.add(vector(), vector(), 1, 1, 0, weights);
+    samples.add(vector(), vector(), 1, 1, -1, 0, weights);
   }
   for (SM::internal::Fit_samples::View& view : samples.views)
     view.cell = splines[view.chart].tree().leaf(view.uv);
@@ -114,25 +116,42 @@ TEST_CASE("A compact fit is within the tolerances, with far fewer controls")
 {
   const auto map = octahedron_map(5, limbs);
   SM::Fit_report fast, compact;
-  const auto fit = [&](SM::Fit_effort effort, SM::Fit_report& report) {
-    return SM::fit_surface(map, SM::parameters::rms_error(5e-4)
-                                  .max_error(5e-3)
-                                  .fit_target(SM::Fit_target::FACETS)
-                                  .fit_effort(effort)
-                                  .fit_report(std::ref(report)));
+  const auto parameters = [&](SM::Fit_effort effort, SM::Fit_report& report) {
+    return SM::parameters::rms_error(5e-4)
+      .max_error(5e-3)
+      .fit_target(SM::Fit_target::FACETS)
+      .fit_effort(effort)
+      .fit_report(std::ref(report));
   };
-  fit(SM::Fit_effort::FAST, fast);
-  const auto surface = fit(SM::Fit_effort::COMPACT, compact);
+  std::optional<std::decay_t<decltype(map)>> given, fitted;
+  const auto with_fast =
+    SM::fit_surface(map, parameters(SM::Fit_effort::FAST, fast).fitted_map(std::ref(given)));
+  const auto surface =
+    SM::fit_surface(map, parameters(SM::Fit_effort::COMPACT, compact).fitted_map(std::ref(fitted)));
   CHECK(compact.tolerance_reached);
   CHECK(compact.folds == 0);
   CHECK(compact.rms_error == compact.closest_point_rms);
   CHECK(compact.closest_point_rms <= 5e-4);
   CHECK(compact.closest_point_max <= 5e-3);
-  CHECK(double(compact.controls) < 0.7 * double(fast.controls));
+  CHECK(double(compact.controls) < 0.4 * double(fast.controls));
   std::size_t controls = 0;
   for (int c = 0; c < map.atlas().number_of_charts(); ++c)
     controls += surface.chart_embedding(c).number_of_coefficients();
   CHECK(controls == compact.controls);
+
+  // its map is another one of the same mesh, and suits it better
+  REQUIRE((given && fitted));
+  CHECK(given->domain_points() == map.domain_points());
+  CHECK(fitted->points() == map.points());
+  CHECK(fitted->faces() == map.faces());
+  CHECK(fitted->certificate().is_valid());
+  const auto apart = [&](const auto& of) {
+    double sum = 0;
+    for (std::size_t v = 0; v < map.number_of_vertices(); ++v)
+      sum += (surface.point(of.domain_point(v)) - map.point(v)).squaredNorm();
+    return sum;
+  };
+  CHECK(apart(*fitted) < 0.5 * apart(map));
 
   // independent points: middles of edges and centres of faces, closest points over the whole surface
   double sum = 0, largest = 0;
@@ -155,7 +174,10 @@ TEST_CASE("A compact fit does not depend on the number of threads")
 {
   const auto map = octahedron_map(3, limbs);
   const auto np = SM::parameters::rms_error(2e-3).fit_effort(SM::Fit_effort::COMPACT);
-  const auto one = SM::fit_surface(map, np), two = SM::fit_surface<CGAL::Parallel_if_available_tag>(map, np);
+  std::optional<std::decay_t<decltype(map)>> map_of_one, map_of_two;
+  const auto one = SM::fit_surface(map, np.fitted_map(std::ref(map_of_one)));
+  const auto two = SM::fit_surface<CGAL::Parallel_if_available_tag>(map, np.fitted_map(std::ref(map_of_two)));
+  CHECK(map_of_one->domain_points() == map_of_two->domain_points());
   for (int c = 0; c < map.atlas().number_of_charts(); ++c) {
     const auto &a = one.chart_embedding(c).levels(), &b = two.chart_embedding(c).levels();
     REQUIRE(a.size() == b.size());

@@ -57,8 +57,9 @@ enum class Fit_target {
 enum class Fit_effort {
   /// Each point of the surface is fitted to the point of the mesh with the same domain point; errors are |E - M|.
   FAST,
-  /// Points may slide along the surface; errors are distances of points of the mesh from the surface. Far fewer
-  /// controls for the same distance.
+  /// Points may slide along the surface, and the map follows: the surface suits another map of the same mesh, see
+  /// `Surface_fitter::map()`. Errors are distances of points of the mesh from the surface. Far fewer controls for the
+  /// same distance.
   COMPACT
 };
 

@@ -104,6 +104,10 @@ public:
     return fit(visitor);
   }
 
+  /// The map that the surface of the last `fit()` suits: the given one, or with `Fit_effort::COMPACT` one of the same
+  /// mesh whose domain points moved with the surface. It lives until the next `fit()`.
+  const Map& map() const { return fit_.map(); }
+
   /// What the last `fit()` reached.
   const Fit_report& report() const { return fit_.report(); }
 

@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -52,12 +53,22 @@ auto fit_components(const std::vector<Component<Map>>& maps, const NamedParamete
   for (const Component<Map>& map : maps)
     sizes.push_back(map.has_value() ? static_cast<double>(map.faces.size()) : 0.);
   std::vector<Fit_report> reports(maps.size());
+  std::vector<Component<Map>> fitted;
+  if constexpr (has_parameter<internal_np::fitted_maps_t, NamedParameters>) fitted = maps;
   const auto make = [&](int k, const Visitor_reference& visitor) {
     if (!maps[k].has_value()) throw Error(maps[k].error());
     const auto with_own = parameters::fit_report(std::ref(reports[k]), np).visitor(std::cref(visitor));
     return std::visit(
       [&](const auto& map) {
-        return Any_surface<Bump>(internal::fit_surface<ConcurrencyTag>(map, with_own));
+        if constexpr (has_parameter<internal_np::fitted_maps_t, NamedParameters>) {
+          std::optional<std::decay_t<decltype(map)>> own;
+          auto surface =
+            internal::fit_surface<ConcurrencyTag>(map, parameters::fitted_map(std::ref(own), with_own));
+          fitted[k].value() = std::move(*own);
+          return Any_surface<Bump>(std::move(surface));
+        } else {
+          return Any_surface<Bump>(internal::fit_surface<ConcurrencyTag>(map, with_own));
+        }
       },
       maps[k].value());
   };
@@ -71,6 +82,8 @@ auto fit_components(const std::vector<Component<Map>>& maps, const NamedParamete
     surfaces.emplace_back(static_cast<const Mesh_component&>(maps[k]), std::move(results[k]));
   std::vector<Fit_report> unused;
   parameter(np, internal_np::fit_reports, unused) = std::move(reports);
+  if constexpr (has_parameter<internal_np::fitted_maps_t, NamedParameters>)
+    parameter(np, internal_np::fitted_maps) = std::move(fitted);
   return surfaces;
 }
 
@@ -85,11 +98,14 @@ auto fit_components(const std::vector<Component<Map>>& maps, const NamedParamete
 /// \tparam ConcurrencyTag  with `Parallel_tag` components are fitted at the same time, and the visitor may be used by
 ///   several threads, one at a time; the result is the same, bit for bit
 /// \param maps  what `map_components()` returns
-/// \param np  the named parameters of `fit_surface()` but `vertex_weights` and `fit_report`; the limit `max_controls`
+/// \param np  the named parameters of `fit_surface()` but `vertex_weights`, `fit_report` and `fitted_map`; the limit `max_controls`
 ///   is one of each surface. The visitor sees one phase, `"fit"`. And
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{fit_reports} \cgalParamDescription{receives errors, counts and times of each component; those of
 ///     components without a surface are empty} \cgalParamType{`std::vector<Fit_report>`, by `std::ref()`}
+///     \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalParamNBegin{fitted_maps} \cgalParamDescription{receives `maps` with those that the surfaces suit, see
+///     `fitted_map` of `fit_surface()`} \cgalParamType{`std::vector<Component<Map>>`, by `std::ref()`}
 ///     \cgalParamDefault{none} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \return a `Component_surfaces<Bump>`: the components of `maps`, in their order
@@ -98,9 +114,10 @@ template <class ConcurrencyTag = Sequential_tag, class Map,
 auto fit_components(const std::vector<Component<Map>>& maps,
                     const NamedParameters& np = parameters::default_values())
 {
-  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters,
-                                         CGAL_SIMPLE_MANIFOLDS_FIT_COMPONENTS_PARAMETERS ", visitor");
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_FIT_COMPONENTS_PARAMETERS
+                                         ", fitted_maps, visitor");
   CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, fit_reports);
+  CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, fitted_maps);
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_BUMP(internal::Bump_of<NamedParameters>);
   return internal::fit_components<ConcurrencyTag>(maps, np);

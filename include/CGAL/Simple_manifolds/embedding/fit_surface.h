@@ -19,6 +19,7 @@
 
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -74,6 +75,13 @@ auto fit_surface(const Map& map, const NamedParameters& np)
   Surface_fitter<internal::Map_on_arrays<Map>, Bump, ConcurrencyTag> fitter(map, options, bump);
   auto surface = fitter.fit(visitor);
   report = fitter.report();
+  if constexpr (has_parameter<internal_np::fitted_map_t, NamedParameters>) {
+    std::optional<Map>& fitted = parameter(np, internal_np::fitted_map);
+    if constexpr (std::is_same_v<Map, Map_on_arrays<Map>>)
+      fitted.emplace(fitter.map());
+    else
+      fitted.emplace(map.with(fitter.map()));
+  }
   return surface;
 }
 
@@ -127,6 +135,9 @@ auto fit_surface(const Map& map, const NamedParameters& np)
 ///     tolerances refer to} \cgalParamType{`Fit_effort`} \cgalParamDefault{`Fit_effort::FAST`} \cgalParamNEnd
 ///   \cgalParamNBegin{fit_report} \cgalParamDescription{receives errors, counts and times}
 ///     \cgalParamType{`Fit_report`, by `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalParamNBegin{fitted_map} \cgalParamDescription{receives the map that the surface suits: a copy of `map`, or
+///     with `Fit_effort::COMPACT` one of the same mesh whose domain points moved with the surface}
+///     \cgalParamType{`std::optional<Map>`, by `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd
 ///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel} \cgalParamType{model of
 ///     `SimpleManifoldsVisitor`, by `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd
 /// \cgalNamedParamsEnd
@@ -139,8 +150,10 @@ template <class ConcurrencyTag = Sequential_tag, class Map,
 auto fit_surface(const Map& map, const NamedParameters& np = parameters::default_values())
 {
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_MAP(Map);
-  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters, CGAL_SIMPLE_MANIFOLDS_FIT_PARAMETERS ", visitor");
+  CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters,
+                                         CGAL_SIMPLE_MANIFOLDS_FIT_PARAMETERS ", fitted_map, visitor");
   CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, fit_report);
+  CGAL_SIMPLE_MANIFOLDS_WRITTEN_PARAMETER(NamedParameters, fitted_map);
   CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, vertex_weights, w, double(w), "numbers");
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_VISITOR(internal::Visitor_of<NamedParameters>);
   CGAL_SIMPLE_MANIFOLDS_REQUIRE_BUMP(internal::Bump_of<NamedParameters>);

@@ -215,10 +215,10 @@ private:
   }
 
   Vertex_faces star_;
-  std::vector<char> is_held_;      // per face
   std::vector<double> area_;       // of the faces, at first
   std::vector<std::size_t> first_; // of the points of a face
   std::vector<Point> points_;
+  std::vector<char> is_held_; // per face
 };
 
 /// The map that a fit goes on with: the given one until its vertices slide, which those of a mesh can.
