@@ -78,6 +78,17 @@ Enum choice(const std::string& word, const char* parameter,
   wrong(std::string(parameter) + " is '" + word + "', not one of " + names);
 }
 
+// A value of a dictionary of options.
+template <class T>
+T option(const py::dict& options, const char* name)
+{
+  try {
+    return options[name].cast<T>();
+  } catch (const py::cast_error&) {
+    throw py::type_error(std::string(name) + " is " + py::repr(options[name]).cast<std::string>());
+  }
+}
+
 // Each translation unit adds its part to the module.
 void add_errors(py::module_& m);
 void add_meshes(py::module_& m);

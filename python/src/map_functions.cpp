@@ -31,14 +31,14 @@ struct Options {
   explicit Options(const py::dict& d)
   {
     map.energy = choice<SM::Energy>(
-      d["energy"].cast<std::string>(), "energy",
+      option<std::string>(d, "energy"), "energy",
       {{"symmetric_dirichlet", SM::Energy::SYMMETRIC_DIRICHLET}, {"amips", SM::Energy::AMIPS}});
-    map.lambda = d["energy_lambda"].cast<double>();
-    map.area_floor = d["area_floor"].cast<double>();
+    map.lambda = option<double>(d, "energy_lambda");
+    map.area_floor = option<double>(d, "area_floor");
     map.effort = choice<SM::Effort>(
-      d["effort"].cast<std::string>(), "effort",
+      option<std::string>(d, "effort"), "effort",
       {{"fast", SM::Effort::FAST}, {"default", SM::Effort::DEFAULT}, {"quality", SM::Effort::QUALITY}});
-    close_borders = choice<SM::Close_borders>(d["close_borders"].cast<std::string>(), "close_borders",
+    close_borders = choice<SM::Close_borders>(option<std::string>(d, "close_borders"), "close_borders",
                                               {{"none", SM::Close_borders::NONE},
                                                {"small", SM::Close_borders::SMALL},
                                                {"inner", SM::Close_borders::INNER},

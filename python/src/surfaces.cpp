@@ -24,30 +24,30 @@ using Parallel = CGAL::Parallel_if_available_tag;
 SM::Fit_options fit_options(const py::dict& d)
 {
   SM::Fit_options o;
-  o.rms_error = d["rms_error"].cast<double>();
-  o.max_error = d["max_error"].is_none() ? 10 * o.rms_error : d["max_error"].cast<double>();
-  o.spline_degree = d["degree"].cast<int>();
-  o.max_controls = d["max_controls"].is_none() ? 0 : d["max_controls"].cast<std::size_t>();
+  o.rms_error = option<double>(d, "rms_error");
+  o.max_error = d["max_error"].is_none() ? 10 * o.rms_error : option<double>(d, "max_error");
+  o.spline_degree = option<int>(d, "degree");
+  o.max_controls = d["max_controls"].is_none() ? 0 : option<std::size_t>(d, "max_controls");
   o.refinement =
-    choice<SM::Refinement>(d["refinement"].cast<std::string>(), "refinement",
+    choice<SM::Refinement>(option<std::string>(d, "refinement"), "refinement",
                            {{"adaptive", SM::Refinement::ADAPTIVE}, {"uniform", SM::Refinement::UNIFORM}});
-  o.joint_solve = choice<SM::Joint_solve>(d["joint_solve"].cast<std::string>(), "joint_solve",
+  o.joint_solve = choice<SM::Joint_solve>(option<std::string>(d, "joint_solve"), "joint_solve",
                                           {{"at_end", SM::Joint_solve::AT_END},
                                            {"always", SM::Joint_solve::ALWAYS},
                                            {"never", SM::Joint_solve::NEVER}});
   o.marking =
-    choice<SM::Marking>(d["marking"].cast<std::string>(), "marking",
+    choice<SM::Marking>(option<std::string>(d, "marking"), "marking",
                         {{"all_points", SM::Marking::ALL_POINTS}, {"vertices", SM::Marking::VERTICES}});
-  o.target = choice<SM::Fit_target>(d["target"].cast<std::string>(), "target",
+  o.target = choice<SM::Fit_target>(option<std::string>(d, "target"), "target",
                                     {{"automatic", SM::Fit_target::AUTOMATIC},
                                      {"facets", SM::Fit_target::FACETS},
                                      {"curved", SM::Fit_target::CURVED}});
-  o.effort = choice<SM::Fit_effort>(d["fit_effort"].cast<std::string>(), "fit_effort",
+  o.effort = choice<SM::Fit_effort>(option<std::string>(d, "fit_effort"), "fit_effort",
                                     {{"fast", SM::Fit_effort::FAST}, {"compact", SM::Fit_effort::COMPACT}});
-  o.crease_angle = d["crease_angle"].cast<double>();
-  o.fairness = d["fairness"].cast<double>();
+  o.crease_angle = option<double>(d, "crease_angle");
+  o.fairness = option<double>(d, "fairness");
   if (!d["vertex_weights"].is_none())
-    o.vertex_weights = Rows<double>(d["vertex_weights"].cast<Doubles>(), "vertex_weights").vector();
+    o.vertex_weights = Rows<double>(option<Doubles>(d, "vertex_weights"), "vertex_weights").vector();
   const auto in_range = [](double x, double most) { return x >= 0 && x <= most; };
   require(in_range(o.rms_error, 1e300) && in_range(o.max_error, 1e300),
           "rms_error and max_error have to be finite and not negative");

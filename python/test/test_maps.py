@@ -70,6 +70,7 @@ def test_corners_and_landmarks():
     drawn = sm.map_mesh(bumpy_sphere(10), "sphere", landmarks=[(5, north, 100.0)])
     assert drawn.domain_points[5] @ north > 0.99
     for wrong in ({"corners": [0, 1, 2]}, {"corners": [0, 1, 2, n + 1]}, {"corners": [0, 0, 1, 2]},
+                  {"corners": corners[::-1]}, {"corners": [0, n * n - 1, n - 1, n * (n - 1)]},
                   {"landmarks": [(0, north)]}, {"domain": "plane", "landmarks": [(10**6, [0.5, 0.5])]},
                   {"domain": "plane", "landmarks": [(0, [np.nan, 0.5])]}, {"domain": "cube"}, {"effort": "much"},
                   {"energy_lambda": 0.0}, {"area_floor": 2.0}):

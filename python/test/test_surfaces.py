@@ -141,6 +141,8 @@ def test_options_of_fits(sphere_map):
                   {"vertex_weights": -weights}):
         with pytest.raises(ValueError):
             sm.fit_surface(sphere_map, **wrong)
+    with pytest.raises(TypeError, match="max_controls is -1"):
+        sm.fit_surface(sphere_map, max_controls=-1)
 
 
 @pytest.mark.parametrize("call", [

@@ -133,14 +133,6 @@ def _map_options(energy: Optional[str], energy_lambda: Optional[float], area_flo
     return {**options, "effort": effort, "close_borders": close_borders}
 
 
-def _vertices_of_faces(indices: Sequence[int], allowed: np.ndarray, what: str) -> list[int]:
-    result = [int(i) for i in indices]
-    for i in result:
-        if not (allowed == i).any():
-            raise ValueError(f"vertex {i} is {what}")
-    return result
-
-
 def map_mesh(mesh: Any, domain: str = "auto", *, energy: Optional[str] = None, energy_lambda: Optional[float] = None,
              area_floor: Optional[float] = None, effort: str = "default", close_borders: str = "none",
              corners: Sequence[int] = (), landmarks: Sequence[tuple] = (), for_fitting: bool = False,
@@ -167,14 +159,20 @@ def map_mesh(mesh: Any, domain: str = "auto", *, energy: Optional[str] = None, e
         raise ValueError("corners are four vertices")
     if len(corners) and domain not in ("auto", "plane"):
         raise ValueError("only the square has corners")
-    border = _meshes.border_vertices(triangles) if len(corners) else np.zeros(0, int)
-    corner_list = _vertices_of_faces(corners, border, "not on the border")
-    if len(set(corner_list)) != len(corner_list):
-        raise ValueError("the four corners have to be different")
+    corner_list = [int(v) for v in corners]
+    if corner_list:
+        border = _meshes.border_from(triangles, corner_list[0])
+        missing = [v for v in corner_list if v not in border]
+        if missing:
+            raise ValueError(f"vertex {missing[0]} is not on the border")
+        if sorted(set(corner_list), key=border.index) != corner_list:
+            raise ValueError("the corners have to be different vertices in counterclockwise order")
     if len(landmarks) and domain not in ("plane", "sphere", "torus"):
         raise ValueError("landmarks need a domain: 'plane', 'sphere' or 'torus'")
-    used = np.unique(triangles) if len(landmarks) else np.zeros(0, int)
-    marked = _vertices_of_faces([l[0] for l in landmarks], used, "of no face")
+    marked = [int(l[0]) for l in landmarks]
+    for v in marked:
+        if not (triangles == v).any():
+            raise ValueError(f"vertex {v} is of no face")
     with _callback(progress) as report:
         return _core.map(points, triangles, outer, domain, options, corner_list, np.array(marked, np.int32),
                          np.array([np.asarray(l[1], float) for l in landmarks]),

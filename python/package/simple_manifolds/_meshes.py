@@ -115,8 +115,13 @@ def triangles(mesh: Any) -> tuple[np.ndarray, np.ndarray, _core.InputIndices]:
     return points, cut, _core.InputIndices([], polygons.tolist())
 
 
-def border_vertices(faces: np.ndarray) -> np.ndarray:
-    """The vertices of edges that belong to one triangle only."""
-    edges = np.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
-    edges, count = np.unique(edges, axis=0, return_counts=True)
-    return np.unique(edges[count == 1])
+def border_from(faces: np.ndarray, vertex: int) -> list[int]:
+    """The border loop of a triangle mesh on which a vertex lies, from there counterclockwise; empty if on none."""
+    edges = faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2).astype(np.int64)
+    size = edges.max(initial=0) + 1
+    both = np.isin(edges @ [size, 1], edges @ [1, size])
+    after = dict(edges[~both].tolist())
+    loop = [vertex] if vertex in after else []
+    while loop and after.get(loop[-1], vertex) != vertex and len(loop) <= len(after):
+        loop.append(after[loop[-1]])
+    return loop
