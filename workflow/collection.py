@@ -5,8 +5,8 @@
   collection.py overview RESULTS      writes RESULTS/table.csv and RESULTS/index.html of what is there
 
 A step writes RESULTS/ID/STEP.json: "status" is "done", "partly" (a tolerance was not reached, some bodies were not
-served), "failed" with a "reason", or "skipped". The exit status is not 0, and nothing is written, where another attempt
-may help: the program was killed, or ran out of memory or time.
+served), "failed" with a "reason", or "skipped". The exit status is not 0, and nothing is written, where another
+attempt may help: the program was killed, or ran out of memory or time.
 """
 import argparse
 import collections

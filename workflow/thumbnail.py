@@ -41,7 +41,8 @@ def render(points, triangles, colours, normals):
     low, high = xyz.min(axis=0), xyz.max(axis=0)
     scale = 0.92 * n / max((high - low)[:2].max(), 1e-300)
     pixels = (xyz - (low + high) / 2)[:, :2] * [scale, -scale] + n / 2
-    seen = np.cross(xyz[triangles[:, 1]] - xyz[triangles[:, 0]], xyz[triangles[:, 2]] - xyz[triangles[:, 0]])[:, 2] > 0
+    a, b, c = (xyz[triangles[:, k]] for k in range(3))
+    seen = np.cross(b - a, c - a)[:, 2] > 0
     triangles, colours = triangles[seen], colours[seen]
     image = np.ones((n, n, 3))
     if len(triangles):

@@ -19,7 +19,8 @@ def test_the_tutorial_prints_what_the_manual_shows(tmp_path, capsys):
     number = re.compile(r"-?\d+(?:\.\d+)?(?:e-\d+)?")
     assert number.sub("#", printed) == number.sub("#", shown)
     # roughly, so that a better map need not change the manual
-    assert [float(x) for x in number.findall(printed)] == pytest.approx([float(x) for x in number.findall(shown)], 0.1)
+    values = lambda text: [float(x) for x in number.findall(text)]
+    assert values(printed) == pytest.approx(values(shown), 0.1)
 
 
 @pytest.mark.skipif("SIMPLE_MANIFOLDS_TUTORIAL" not in os.environ, reason="the tutorial in C++ is not built")
