@@ -10,6 +10,8 @@
 #include <CGAL/Simple_manifolds/tessellation/random_domain_points.h>
 
 #include <cmath>
+#include <functional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -26,6 +28,16 @@ using Eigen::Vector3d;
 bodies::Body plate(int n, int m)
 {
   return bodies::cubes(2 * n + 1, 2 * m + 1, [](int i, int j) { return i % 2 == 0 || j % 2 == 0; });
+}
+
+// A frame with n holes in each of its sides, beside one another.
+bodies::Body frame(int n)
+{
+  const int size = 2 * n + 1;
+  return bodies::cubes(size, size, [size](int i, int j) {
+    const bool is_inside = i > 2 && i < size - 3 && j > 2 && j < size - 3;
+    return !is_inside && (i % 2 == 0 || j % 2 == 0);
+  });
 }
 
 Map mapped(const bodies::Body& body) { return SM::map_to_hyperbolic_surface(body.points, body.triangles); }
@@ -54,8 +66,8 @@ TEST_CASE("closed meshes of any genus are mapped one to one", "[map]")
     int genus;
     double distortion;
   };
-  const std::vector<Case> cases = {
-    {bodies::pretzel(), 2, 4}, {plate(3, 1), 3, 5}, {plate(2, 2), 4, 6}, {plate(3, 2), 6, 12}};
+  const std::vector<Case> cases = {{bodies::pretzel(), 2, 4}, {plate(3, 1), 3, 5}, {plate(2, 2), 4, 6},
+                                   {plate(5, 1), 5, 6},       {plate(3, 2), 6, 6}, {frame(4), 13, 10}};
   for (const Case& c : cases) {
     CAPTURE(c.genus);
     const Map map = mapped(c.body);
@@ -83,6 +95,32 @@ TEST_CASE("a hyperbolic map is found again, with threads, and as one of several 
   CHECK_THROWS_AS(SM::map_to_hyperbolic_surface(bodies::torus(6, 6).points, bodies::torus(6, 6).triangles),
                   SM::Topology_error);
   CHECK_THROWS_AS(mapped(bodies::open_pretzel()), SM::Topology_error);
+}
+
+TEST_CASE("the search for handles that match can be cancelled", "[map]")
+{
+  struct Cancelled {};
+  struct Visitor : SM::Default_visitor {
+    int steps = 0, cancel_at = -1;
+    bool is_laying_out = false;
+    void start_phase(const char* name) { is_laying_out = std::string(name) == "lay out"; }
+    void progress(double fraction)
+    {
+      if (is_laying_out && fraction == 0 && ++steps == cancel_at) throw Cancelled();
+    }
+  };
+  const bodies::Body body = plate(2, 2);
+  Visitor all;
+  SM::map_to_hyperbolic_surface(body.points, body.triangles, CGAL::parameters::visitor(std::ref(all)));
+  REQUIRE(all.steps > 1000);
+  for (const int step : {1, 100, all.steps}) { // while handles are matched, in the annealing, at its end
+    Visitor visitor;
+    visitor.cancel_at = step;
+    CHECK_THROWS_AS(SM::map_to_hyperbolic_surface(body.points, body.triangles,
+                                                  CGAL::parameters::visitor(std::ref(visitor))),
+                    Cancelled);
+    CHECK(visitor.steps == step);
+  }
 }
 
 TEST_CASE("points are located on a hyperbolic surface, and come back", "[map]")

@@ -1,11 +1,12 @@
 // Maps random triangulations and counts those without a certified map; each is made from its number alone.
 //
-//   fuzz_maps --surface sphere|torus|disk [--count N] [--seed S] [--first I] [--write FILE.off]
+//   fuzz_maps --surface sphere|torus|disk|handles [--count N] [--seed S] [--first I] [--write FILE.off]
 //
 // Exit status 0 when all are certified, else 1, with the numbers of the failed ones: repeat one alone with
 // --first I --count 1, and --write it.
 
 #include "stress_map.h"
+#include "stress_surfaces.h"
 
 #include <boost/program_options.hpp>
 
@@ -50,6 +51,22 @@ Triangle_mesh random_surface(const std::string& surface, Random& random)
   return mesh;
 }
 
+/// Genus 2 to 12, more of the small ones: handles of some rings join random faces of a sphere.
+Triangle_mesh random_handles(Random& random)
+{
+  const int genus = 2 + static_cast<int>(11 * std::pow(random.real(), 2));
+  const int vertices = 4 + random.below(200);
+  Triangle_mesh mesh = random_sphere(vertices, random.below(4 * vertices), random.below(4), random);
+  for (int i = 0; i < genus; ++i) {
+    const int faces = static_cast<int>(mesh.triangles.size());
+    const int from = random.below(faces), to = (from + 1 + random.below(faces - 1)) % faces;
+    mesh = stress::with_handle(mesh, static_cast<std::size_t>(from), static_cast<std::size_t>(to),
+                               2 + random.below(10)); // two rings: far enough from another face
+  }
+  flip_random_edges(mesh, random.below(static_cast<int>(mesh.points.size())), random);
+  return mesh;
+}
+
 void write_off(const std::string& file, const Triangle_mesh& mesh)
 {
   std::ofstream out(file);
@@ -70,7 +87,7 @@ int run(int argc, char** argv)
   add("seed", po::value(&seed), "of the generator");
   add("count", po::value(&count), "how many surfaces");
   add("first", po::value(&first), "the number of the first one");
-  add("surface", po::value(&surface), "sphere, torus or disk");
+  add("surface", po::value(&surface), "sphere, torus, disk or handles");
   add("write", po::value(&file), "write the first one to this OFF file, and do not map");
   po::variables_map values;
   po::store(po::parse_command_line(argc, argv, options), values);
@@ -79,15 +96,16 @@ int run(int argc, char** argv)
     std::cout << options;
     return 0;
   }
-  if (surface != "sphere" && surface != "torus" && surface != "disk")
-    throw po::error("--surface is sphere, torus or disk, not \"" + surface + '"');
+  if (surface != "sphere" && surface != "torus" && surface != "disk" && surface != "handles")
+    throw po::error("--surface is sphere, torus, disk or handles, not \"" + surface + '"');
 
   int failed = 0;
   double smallest_area = 1e300, round_trip = 0;
   std::size_t faces = 0;
   for (int i = first; i < first + count; ++i) {
     Random random(seed * 1000003u + static_cast<unsigned>(i));
-    const Triangle_mesh mesh = random_surface(surface, random);
+    const Triangle_mesh mesh =
+      surface == "handles" ? random_handles(random) : random_surface(surface, random);
     const auto energy = random.below(2) ? SM::Energy::SYMMETRIC_DIRICHLET : SM::Energy::AMIPS;
     if (!file.empty()) {
       write_off(file, mesh);

@@ -61,8 +61,9 @@ Manifold_map<Hyperbolic_atlas> map_to(Canonical_surfaces::Type<Hyperbolic_atlas>
 /// see `Hyperbolic_atlas`.
 ///
 /// Maps of two surfaces may wind round the handles in infinitely many ways. The handles of the mesh are matched with those
-/// of the surface in many orders; then Dehn twists are tried while they lower the energy of the harmonic map. The search is
-/// bounded by a number of steps. A bad match costs distortion; from about genus 12 on it may be so bad that doubles do not
+/// of the surface in many orders; then Dehn twists are tried, for the least energy of the harmonic map. The search is
+/// bounded by a number of steps, and a visitor can cancel it: it calls `progress(0)`. A bad match costs distortion, from
+/// about genus 8 on; far above genus 12 it may be so bad that doubles do not
 /// suffice, which is a `Numeric_error`. Edges of length arcosh 2 or more (coarse meshes, thin handles) are split at their
 /// middles: then the map has more vertices than the mesh, the surface is the same.
 ///

@@ -15,6 +15,7 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/Marked_base.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/hyperboloid.h>
 #include <CGAL/Simple_manifolds/internal/Star_kernel.h>
+#include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -46,9 +47,10 @@ public:
   const double total_area;
   const int minimum_vertices;
 
-  Hyperbolic_geometry(int number_of_vertices, int number_of_faces, int genus)
+  Hyperbolic_geometry(int number_of_vertices, int number_of_faces, int genus,
+                      const Visitor_reference& visitor)
     : total_area(4 * 3.14159265358979323846 * (genus - 1)),
-      minimum_vertices((std::max)(60, 20 * (genus - 1))), copies_(genus - 1),
+      minimum_vertices((std::max)(60, 20 * (genus - 1))), visitor_(visitor), copies_(genus - 1),
       position_(number_of_vertices, Point(0, 0, 1)), tile_(number_of_vertices),
       deck_(3 * static_cast<std::size_t>(number_of_faces), 0)
   {
@@ -66,7 +68,7 @@ public:
 
   bool lay_out_base(const Collapse_hierarchy& mesh)
   {
-    const std::optional<Harmonic_map> map = Marked_base(mesh, copies_ + 1).find();
+    const std::optional<Harmonic_map> map = Marked_base(mesh, copies_ + 1, visitor_).find();
     if (!map) return false;
     for (int v = 0; v < mesh.number_of_active_vertices(); ++v) {
       position_[v] = map->position(v);
@@ -178,6 +180,7 @@ private:
       }
   }
 
+  const Visitor_reference& visitor_;
   int copies_;
   Deck_table table_;
   std::vector<Point> position_;

@@ -10,7 +10,8 @@
 
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Corner_table.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/marking/Handle_basis.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/marking/Cut_surface.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/marking/Harmonic_map.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -44,15 +45,29 @@ public:
         }
       }
     table_.emplace(vertices_, faces);
+    // Twice the distances of the centre of a face from its sides; a little less in three tiles, so that the shortest pair of
+    // curves lies there in every copy.
+    const auto factor = [](int h) { return h / 24 % Square_tiling::ring_size >= 3 ? 0.45 : 0.5; };
+    for (int h = 0; h < static_cast<int>(deck_.size()); ++h)
+      across_.push_back((factor(h) + factor(table_->opposite(h))) * (h % 3 == 1                 ? 0.5165
+                                                                     : h % 6 == 0 || h % 6 == 5 ? 0.3004
+                                                                                                : 0.4232));
   }
 
-  // The pairs of a basis at the centre of a tile, in the frame of the tile.
-  std::vector<Handle_basis::Pair> handle_pairs(int tile) const
+  int number_of_faces() const { return 8 * tiles_; }
+  // Surface and lengths for Handle_chain.
+  Cut_surface surface() const { return Cut_surface(*table_, vertices_, 8 * tiles_, across_); }
+
+  // The tile of a face, in the frame of which it has its first corner.
+  Tile tile(int face) const
   {
-    std::vector<double> length(deck_.size());
-    for (std::size_t h = 0; h < length.size(); ++h)
-      length[h] = h % 6 == 2 || h % 6 == 3 || h % 3 == 1 ? 0.6584789485 : 1.1462158348;
-    return Handle_basis(*table_, vertices_, 8 * tiles_, length, tile).pairs(deck_);
+    return {face / 8 % Square_tiling::ring_size, face / 8 / Square_tiling::ring_size};
+  }
+  // From the frame of the face on the right of a half-edge to that of the face on its left.
+  Long_isometry step(int h) const
+  {
+    const int o = table_->opposite(h);
+    return to_face(h) * to_face(Corner_table::next(o)).inverse();
   }
 
 private:
@@ -62,6 +77,12 @@ private:
     Long_isometry frame; // from that of the vertex to that of the tile
   };
   using Number = boost::multiprecision::cpp_int;
+
+  // From the frame of the origin of a half-edge to that of the first corner of its face.
+  Long_isometry to_face(int h) const
+  {
+    return h % 3 == 0 ? Long_isometry() : h % 3 == 1 ? deck_[h - 1] : deck_[h].inverse();
+  }
 
   // After the corners; that of the tile with the even side has the frame.
   Vertex middle_of(int t, int side) const
@@ -98,6 +119,7 @@ private:
   std::vector<std::array<Vertex, 4>> corner_;
   std::optional<Corner_table> table_;
   std::vector<Long_isometry> deck_;
+  std::vector<double> across_; // per half-edge
 };
 
 } // namespace internal

@@ -170,7 +170,7 @@ private:
   void bring_into_tile(int v)
   {
     Point& p = state_.position[v];
-    for (int side; (side = hyperboloid::side_beyond(p, 1 + 1e-9)) != -1;) {
+    for (int side; (side = hyperboloid::side_beyond(p, 1.1)) != -1;) {
       const Long_isometry step = Square_tiling::step(side).cast<boost::multiprecision::cpp_int>();
       const Long_isometry back = step.inverse();
       p = hyperboloid::unit(hyperboloid::scaled(back) * p);

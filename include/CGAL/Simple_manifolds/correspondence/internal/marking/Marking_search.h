@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/Dehn_twist.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/Harmonic_map.h>
+#include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
 
 #include <Eigen/Core>
 
@@ -25,36 +26,23 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-// Looks for the homotopy class whose harmonic map has the least energy: by Dehn twists along curves that are short in space
-// or in the canonical surface, one at a time while that helps, then after some random ones. It ends after a number of moves
-// of vertices, not after a time, so that the result is always the same.
+// Looks for the homotopy class whose harmonic map has the least energy, by Dehn twists along curves that are short in space
+// or in the canonical surface: simulated annealing, then one twist at a time while that helps. It ends after a number of
+// moves of vertices, not after a time, so that the result is always the same.
 class Marking_search {
 public:
   // length: per half-edge, of the way across in space
-  Marking_search(Harmonic_map& map, std::vector<double> length, std::size_t most_work)
-    : map_(map), length_(std::move(length)), last_work_(map.work() + most_work)
+  Marking_search(Harmonic_map& map, std::vector<double> length, std::size_t most_work,
+                 const Visitor_reference& visitor)
+    : map_(map), length_(std::move(length)), last_work_(map.work() + most_work), visitor_(visitor),
+      short_in_space_(curves(length_))
   {
-    short_in_space_ = curves(length_);
   }
 
-  // kicks: how often it begins anew from the best map so far, changed at random
-  void run(int kicks)
+  void run(int trials)
   {
+    anneal(trials);
     descend();
-    Harmonic_map::State best = map_.state();
-    for (int i = 0; i < kicks && !is_over() && !short_in_space_.empty(); ++i) {
-      for (int j = 0, n = 1 + random(2); j < n; ++j) {
-        const Dual_curve& c = short_in_space_[random(static_cast<int>(short_in_space_.size()))];
-        map_.apply(dehn_twist(map_, c, random(2) == 0 ? 1 : -1));
-        map_.relax(40, 1e-4);
-      }
-      if (std::isfinite(map_.energy())) descend();
-      if (map_.energy() < best.energy * (1 - 1e-4))
-        best = map_.state();
-      else
-        map_.set_state(best);
-    }
-    map_.set_state(best);
   }
 
 private:
@@ -65,10 +53,15 @@ private:
     bool operator<(const Twist& t) const { return change < t.change; }
   };
 
-  static constexpr std::size_t most_trials = 60; // of twists that may help once the vertices have moved
-  static constexpr double promising = 1e-2;      // a part of the energy
+  static constexpr std::size_t most_trials = 60;  // of twists that may help once the vertices have moved
+  static constexpr double promising = 1e-2;       // a part of the energy
+  static constexpr double hot = 0.1, cold = 3e-3; // the same
 
-  bool is_over() const { return map_.work() > last_work_; }
+  bool is_over() const
+  {
+    visitor_.progress(0); // where it may be cancelled
+    return map_.work() > last_work_;
+  }
 
   int random(int n) // xorshift (Marsaglia 2003)
   {
@@ -83,6 +76,53 @@ private:
     const int faces = map_.number_of_half_edges() / 3;
     map_.add_work(20 * static_cast<std::size_t>(faces));
     return short_dual_curves(map_.table(), faces, length, 40, 500);
+  }
+
+  // Takes random twists, those of short curves more often; also those that raise the energy by a little, which is less and
+  // less. Ends with the best map that was met.
+  void anneal(int trials)
+  {
+    Harmonic_map::State best = map_.state();
+    const double start = best.energy;
+    double energy = start;
+    std::vector<Dual_curve> short_in_target;
+    for (int i = 0; i < trials && !is_over(); ++i) {
+      if (i % 2000 == 0) short_in_target = curves(length_in_target());
+      const std::vector<Dual_curve>& list = random(2) == 0 ? short_in_space_ : short_in_target;
+      if (list.empty()) break;
+      const double temperature = start * hot * std::pow(cold / hot, i / double(trials));
+      const double x = random(10000) / 1e4, allowed = -temperature * std::log((1 + random(10000)) / 10001.);
+      const Dual_curve& c = list[static_cast<std::size_t>(x * x * static_cast<double>(list.size()))];
+      const int turns = random(2) == 0 ? 1 : -1;
+      const double change = energy_change(map_, c, turns);
+      map_.add_work(1 + c.crossed.size() / 4);
+      if (change == 0 || change > 3 * allowed + 0.04 * energy) continue; // it would not come down to that
+      if (!try_twist({change, &c, turns}, energy + allowed)) continue;
+      energy = map_.energy();
+      if (energy < best.energy) best = map_.state();
+    }
+    map_.set_state(best);
+    map_.relax(100, 1e-5);
+  }
+
+  // Whether the energy comes down to a bound after a twist; else nothing is changed.
+  bool try_twist(const Twist& twist, double bound)
+  {
+    const Harmonic_map::State before = map_.state();
+    map_.apply(dehn_twist(map_, *twist.curve, twist.turns));
+    double energy = (std::numeric_limits<double>::max)();
+    for (int i = 0; i < 10; ++i) {
+      map_.relax(4, 1e-3);
+      if (map_.energy() <= bound) {
+        map_.relax(4, 1e-3);
+        return true;
+      }
+      const double gain = energy - map_.energy();
+      energy = map_.energy();
+      if (i > 0 && !(energy - 4 * gain <= bound)) break;
+    }
+    map_.set_state(before);
+    return false;
   }
 
   void descend()
@@ -168,6 +208,7 @@ private:
   Harmonic_map& map_;
   std::vector<double> length_;
   std::size_t last_work_;
+  const Visitor_reference& visitor_;
   std::vector<Dual_curve> short_in_space_;
   std::uint32_t random_ = 2463534242u;
 };
