@@ -170,6 +170,10 @@ private:
         (std::max)(w["mesh_to_surface"]["max"].get<double>(), w["surface_to_mesh"]["max"].get<double>());
       line("surface.ply", percent(largest) + " of the diagonal at most from the mesh, " +
                             percent(w["chord_error"]) + " from the surface");
+      const Json& turning = w["turning_edges"];
+      if (turning["surface"] > turning["mesh"])
+        line("turns over", "at " + count(turning["surface"], "edges of surface.ply") +
+                             " by more than 120 degrees, " + count(turning["mesh"], "of the mesh"));
     }
     if (s.contains("folds") && s["folds"] > 0) line("folds", "at " + count(s["folds"], "faces of the mesh"));
     line("normals", shown(s["normal_deviation"].get<double>() * 180 / 3.14159265358979324) +
