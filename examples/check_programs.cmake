@@ -159,6 +159,30 @@ if(PART STREQUAL good_input)
   run(0 "" ${MAP_MESH} ${MESHES}/sphere.off -o ${WORK}/for_fit.ply --energy amips --lambda 0.1 --area-floor 0.02)
   run(0 "" ${CMAKE_COMMAND} -E compare_files ${WORK}/for_fit.ply ${WORK}/new/sphere/map.ply)
 
+  # A compact fit moves the map. What is written does not turn over where the mesh does not; of a thin wedge both do.
+  run(0 "" ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/compact --tolerance 0.01 --fit-effort compact --quiet)
+  run(1 "" ${CMAKE_COMMAND} -E compare_files ${WORK}/compact/map.ply ${WORK}/new/sphere/map.ply)
+  file(READ ${WORK}/compact/metrics.json metrics)
+  is("${metrics}" 0 written turning_edges mesh)
+  is("${metrics}" 0 written turning_edges surface)
+  file(WRITE ${WORK}/wedge.off "OFF\n6 8 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n0 0 0.1\n0 0 -0.1\n"
+    "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n3 1 0 5\n3 2 1 5\n3 3 2 5\n3 0 3 5\n")
+  run(0 "" ${FIT_MESH} ${WORK}/wedge.off -o ${WORK}/wedge --tolerance 0.05 --max-tolerance 1 --quiet)
+  file(READ ${WORK}/wedge/metrics.json metrics)
+  is("${metrics}" 4 written turning_edges mesh)
+
+  # Flat faces of few triangles get more of them, if that is wanted.
+  file(WRITE ${WORK}/bar.off "OFF\n8 12 0\n0 0 0\n9 0 0\n9 1 0\n0 1 0\n0 0 1\n9 0 1\n9 1 1\n0 1 1\n"
+    "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n")
+  foreach(reshape never always)
+    run(0 "" ${FIT_MESH} ${WORK}/bar.off -o ${WORK}/bar --tolerance 0.05 --max-tolerance 1 --reshape ${reshape} --quiet)
+    file(READ ${WORK}/bar/metrics.json metrics)
+    string(JSON vertices GET "${metrics}" map vertices)
+    if((reshape STREQUAL never AND NOT vertices EQUAL 8) OR (reshape STREQUAL always AND NOT vertices GREATER 50))
+      message(SEND_ERROR "--reshape ${reshape}: ${vertices} vertices")
+    endif()
+  endforeach()
+
   # Not reached: status 1, the numbers, and all files.
   run(1 "tolerance was not reached: rms error [0-9.e-]+ .*max [0-9.e-]+ .*written"
     ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/tight --tolerance 1e-12 --max-controls 2000 --quiet)
