@@ -93,9 +93,10 @@ private:
 // A surface of any kind, with what is known of its fit.
 class Surface {
 public:
-  Surface(SM::Any_surface<> surface, double tolerance, std::optional<SM::Fit_report> report = std::nullopt)
+  Surface(SM::Any_surface<> surface, double tolerance, std::optional<SM::Fit_report> report = std::nullopt,
+          std::optional<Map> map = std::nullopt)
     : surface_(std::make_shared<const SM::Any_surface<>>(std::move(surface))), tolerance_(tolerance),
-      report_(std::move(report))
+      report_(std::move(report)), map_(std::move(map))
   {
   }
 
@@ -106,6 +107,7 @@ public:
   }
   double tolerance() const { return tolerance_; } // 0: unknown
   const std::optional<SM::Fit_report>& report() const { return report_; }
+  const std::optional<Map>& map() const { return map_; } // that it suits
 
   // What closest_points() has made to search with; belongs to it.
   mutable std::shared_ptr<const void> finder;
@@ -114,6 +116,7 @@ private:
   std::shared_ptr<const SM::Any_surface<>> surface_;
   double tolerance_;
   std::optional<SM::Fit_report> report_;
+  std::optional<Map> map_;
 };
 
 // The Python exception of an error whose class got lost, as in the results for several components.

@@ -11,7 +11,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -72,6 +74,7 @@ Surface fit(const Map& map, const py::dict& dict, py::object progress)
       wrong("there have to be as many vertex_weights as vertices of the map: " +
             std::to_string(m.number_of_vertices()));
     SM::Fit_report report;
+    std::optional<std::decay_t<decltype(m)>> fitted;
     SM::Any_surface<> surface = without_lock([&]() -> SM::Any_surface<> {
       return SM::fit_surface<Parallel>(m, SM::parameters::rms_error(o.rms_error)
                                             .max_error(o.max_error)
@@ -86,9 +89,11 @@ Surface fit(const Map& map, const py::dict& dict, py::object progress)
                                             .fit_effort(o.effort)
                                             .vertex_weights(o.vertex_weights)
                                             .fit_report(std::ref(report))
+                                            .fitted_map(std::ref(fitted))
                                             .visitor(std::ref(visitor)));
     });
-    return Surface(std::move(surface), o.rms_error, std::move(report));
+    return Surface(std::move(surface), o.rms_error, std::move(report),
+                   Map(SM::Any_map(std::move(*fitted)), map.outer()));
   });
 }
 
@@ -186,6 +191,9 @@ void add_surfaces(py::module_& m)
                            "The rms_error that it was fitted to; 0: unknown.")
     .def_property_readonly("report", &Surface::report,
                            "What came of the fit; None for a surface from a file.")
+    .def_property_readonly("map", &Surface::map,
+                           "The map that it suits: the one that it was fitted to, or with fit_effort 'compact' another "
+                           "one of the same mesh; None for a surface from a file.")
     .def(
       "random_domain_points",
       [](const Surface& self, std::size_t n, std::uint64_t seed) {

@@ -132,6 +132,11 @@ def test_options_of_fits(sphere_map):
     fast = sm.fit_surface(sphere_map, rms_error=1e-3, max_error=1, target="facets")
     compact = sm.fit_surface(sphere_map, rms_error=1e-3, max_error=1, target="facets", fit_effort="compact")
     assert compact.report.controls < fast.report.controls
+    assert np.array_equal(fast.map.domain_points, sphere_map.domain_points)
+    moved = compact.map
+    assert np.array_equal(moved.vertices, sphere_map.vertices)
+    apart = [np.linalg.norm(compact.positions(m.domain_points) - m.vertices) for m in (moved, sphere_map)]
+    assert apart[0] < apart[1]
     limited = sm.fit_surface(sphere_map, rms_error=1e-6, max_controls=500, target="facets")
     assert not limited.report.tolerance_reached and limited.report.stop != "tolerance"
     weights = np.ones(len(sphere_map.vertices))
