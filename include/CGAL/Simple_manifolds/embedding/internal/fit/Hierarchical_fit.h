@@ -65,6 +65,10 @@ public:
   }
 
   std::size_t controls(int c) const { return splines_[c].size(); }
+
+  /// Of the cells of all charts, those that `prune()` left out included: what the limit of `refine()` refers to.
+  std::size_t number_of_functions() const;
+
   int levels(int c) const { return splines_[c].space().number_of_levels(); }
 
   const Fit_report::Bytes& bytes() const { return bytes_; }

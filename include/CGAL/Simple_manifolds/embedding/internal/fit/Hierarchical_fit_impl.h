@@ -170,6 +170,13 @@ Hierarchical_fit::marks_jointly(const std::vector<double>& errors, double bound,
   return marks;
 }
 
+CGAL_SIMPLE_MANIFOLDS_INLINE std::size_t Hierarchical_fit::number_of_functions() const
+{
+  std::size_t n = 0;
+  for (const Chart_spline& s : splines_) n += Hierarchical_space(degree_, s.tree()).size();
+  return n;
+}
+
 CGAL_SIMPLE_MANIFOLDS_INLINE std::vector<int> Hierarchical_fit::refine(std::vector<Mark> marks,
                                                                        std::size_t largest_controls)
 {

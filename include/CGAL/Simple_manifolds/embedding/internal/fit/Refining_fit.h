@@ -324,18 +324,28 @@ private:
     return metrics;
   }
 
+  // Adds few functions: what they do is seen before more are added. Functions that were left out count for the limit of
+  // refine(), so that it may allow none.
+  bool refine_a_little(Fit& fit)
+  {
+    constexpr double growth = 0.35, least_growth = 0.05;
+    const std::vector<Mark> marks = joint_marks(fit);
+    const double n = double(fit.controls());
+    std::vector<int> changed;
+    for (const double limit : {(1 + growth) * n, double(fit.number_of_functions()) + least_growth * n})
+      if (refine(fit, marks, changed, (std::min)(max_controls(), std::size_t(limit)))) return true;
+    return false;
+  }
+
   // Lets points slide along the surface, and the map follow: fewer functions are needed.
   void refine_normally(Fit& fit, const Visitor_reference& visitor)
   {
-    constexpr double growth = 1.35; // of a round: what the next functions do is seen before more are added
     constexpr int iterations = 40;
     is_sliding_ = true;
     stop(Fit_stop::TOLERANCE);
     progress_ = Fit_progress();
     timed(report_.seconds.sampling, [&] { fit.add(sampler_.faces(face_samples)); });
     double slide = 0.2;
-    std::vector<int> changed;
-    std::size_t limit;
     int alternations = 4; // 2 once it has settled
     do {
       timed(report_.seconds.solving_jointly, [&] {
@@ -350,8 +360,7 @@ private:
       measure(fit, visitor);
       if constexpr (Sliding_map<Map>::is_possible)
         if (report_.folds > 0) map_now_.hold([&](int face) { return errors_.is_folded(face); });
-      limit = (std::min)(max_controls(), std::size_t(growth * double(fit.controls())));
-    } while (!is_done() && refine(fit, joint_marks(fit), changed, limit));
+    } while (!is_done() && refine_a_little(fit));
     if (!report_.tolerance_reached && report_.stop == Fit_stop::TOLERANCE)
       stop(fit.is_full(max_controls()) ? Fit_stop::CONTROLS : Fit_stop::RESOLUTION);
   }
