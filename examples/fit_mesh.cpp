@@ -53,7 +53,7 @@ int fit_hierarchical(Job& job, Parts maps, const Bump& bump)
 {
   const Fit_request& request = job.request;
   Fits<SM::Any_surface<Bump>> fits;
-  Parts fitted;
+  std::vector<std::optional<Parts::value_type::Value>> moved;
   const auto fit = [&] {
     fits.surfaces = job.watch.time("fit", [&] {
       return SM::fit_components<CGAL::Parallel_if_available_tag>(
@@ -69,10 +69,11 @@ int fit_hierarchical(Job& job, Parts maps, const Bump& bump)
                 .crease_angle(request.crease_angle)
                 .fit_effort(request.effort)
                 .fit_reports(std::ref(fits.reports))
-                .fitted_maps(std::ref(fitted))
+                .fitted_maps(std::ref(moved))
                 .visitor(std::ref(job.progress)));
     });
-    maps = std::move(fitted);
+    for (std::size_t k = 0; k < maps.size(); ++k)
+      if (moved[k]) maps[k].value() = std::move(*moved[k]);
   };
   fit();
   if (job.options.get<bool>("correct-parameters")) {

@@ -93,7 +93,7 @@ Surface fit(const Map& map, const py::dict& dict, py::object progress)
                                             .visitor(std::ref(visitor)));
     });
     return Surface(std::move(surface), o.rms_error, std::move(report),
-                   Map(SM::Any_map(std::move(*fitted)), map.outer()));
+                   fitted ? Map(SM::Any_map(std::move(*fitted)), map.outer()) : map);
   });
 }
 

@@ -58,8 +58,8 @@
   X(marking)             /* Marking: which points a fit brings within the tolerance */                       \
   X(fairness)            /* double: weight of the thin plate energy */                                       \
   X(fit_effort)          /* Fit_effort: how much a fit does for few controls */                              \
-  X(fitted_map)          /* std::reference_wrapper<std::optional<Map>>: the map that a surface suits */      \
-  X(fitted_maps)         /* std::reference_wrapper<std::vector<Component<Map>>>: one per component */        \
+  X(fitted_map)          /* std::reference_wrapper<std::optional<Map>>: another map that a surface suits */   \
+  X(fitted_maps)         /* std::reference_wrapper<std::vector<std::optional<Map>>>: one per component */    \
   X(fit_target)          /* Fit_target: what a mesh says of the surface that is fitted to it */               \
   X(crease_angle)        /* double in [0,180], degrees: edges that are sharper stay creases */               \
   X(vertex_weights)      /* Range of double: weights of the vertices of a map in a fit */                    \

@@ -107,6 +107,8 @@ public:
   /// The map that the surface of the last `fit()` suits: the given one, or with `Fit_effort::COMPACT` one of the same
   /// mesh whose domain points moved with the surface. It lives until the next `fit()`.
   const Map& map() const { return fit_.map(); }
+  /// Whether that is another map than the given one.
+  bool has_moved_map() const { return fit_.has_moved_map(); }
 
   /// What the last `fit()` reached.
   const Fit_report& report() const { return fit_.report(); }

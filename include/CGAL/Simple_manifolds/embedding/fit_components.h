@@ -53,8 +53,7 @@ auto fit_components(const std::vector<Component<Map>>& maps, const NamedParamete
   for (const Component<Map>& map : maps)
     sizes.push_back(map.has_value() ? static_cast<double>(map.faces.size()) : 0.);
   std::vector<Fit_report> reports(maps.size());
-  std::vector<Component<Map>> fitted;
-  if constexpr (has_parameter<internal_np::fitted_maps_t, NamedParameters>) fitted = maps;
+  std::vector<std::optional<Map>> fitted(maps.size());
   const auto make = [&](int k, const Visitor_reference& visitor) {
     if (!maps[k].has_value()) throw Error(maps[k].error());
     const auto with_own = parameters::fit_report(std::ref(reports[k]), np).visitor(std::cref(visitor));
@@ -64,7 +63,7 @@ auto fit_components(const std::vector<Component<Map>>& maps, const NamedParamete
           std::optional<std::decay_t<decltype(map)>> own;
           auto surface =
             internal::fit_surface<ConcurrencyTag>(map, parameters::fitted_map(std::ref(own), with_own));
-          fitted[k].value() = std::move(*own);
+          if (own) fitted[k].emplace(std::move(*own));
           return Any_surface<Bump>(std::move(surface));
         } else {
           return Any_surface<Bump>(internal::fit_surface<ConcurrencyTag>(map, with_own));
@@ -104,9 +103,9 @@ auto fit_components(const std::vector<Component<Map>>& maps, const NamedParamete
 ///   \cgalParamNBegin{fit_reports} \cgalParamDescription{receives errors, counts and times of each component; those of
 ///     components without a surface are empty} \cgalParamType{`std::vector<Fit_report>`, by `std::ref()`}
 ///     \cgalParamDefault{none} \cgalParamNEnd
-///   \cgalParamNBegin{fitted_maps} \cgalParamDescription{receives `maps` with those that the surfaces suit, see
-///     `fitted_map` of `fit_surface()`} \cgalParamType{`std::vector<Component<Map>>`, by `std::ref()`}
-///     \cgalParamDefault{none} \cgalParamNEnd
+///   \cgalParamNBegin{fitted_maps} \cgalParamDescription{receives for each component the map that its surface suits if it
+///     is another one, see `fitted_map` of `fit_surface()`} \cgalParamType{`std::vector<std::optional<Map>>`, by
+///     `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 /// \return a `Component_surfaces<Bump>`: the components of `maps`, in their order
 template <class ConcurrencyTag = Sequential_tag, class Map,

@@ -77,6 +77,8 @@ auto fit_surface(const Map& map, const NamedParameters& np)
   report = fitter.report();
   if constexpr (has_parameter<internal_np::fitted_map_t, NamedParameters>) {
     std::optional<Map>& fitted = parameter(np, internal_np::fitted_map);
+    fitted.reset();
+    if (!fitter.has_moved_map()) return surface; // no copy of a large map
     if constexpr (std::is_same_v<Map, Map_on_arrays<Map>>)
       fitted.emplace(fitter.map());
     else
@@ -135,8 +137,8 @@ auto fit_surface(const Map& map, const NamedParameters& np)
 ///     tolerances refer to} \cgalParamType{`Fit_effort`} \cgalParamDefault{`Fit_effort::FAST`} \cgalParamNEnd
 ///   \cgalParamNBegin{fit_report} \cgalParamDescription{receives errors, counts and times}
 ///     \cgalParamType{`Fit_report`, by `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd
-///   \cgalParamNBegin{fitted_map} \cgalParamDescription{receives the map that the surface suits: a copy of `map`, or
-///     with `Fit_effort::COMPACT` one of the same mesh whose domain points moved with the surface}
+///   \cgalParamNBegin{fitted_map} \cgalParamDescription{receives the map that the surface suits if it is
+///     another one: with `Fit_effort::COMPACT` domain points move with the surface; empty if it is `map`}
 ///     \cgalParamType{`std::optional<Map>`, by `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd
 ///   \cgalParamNBegin{visitor} \cgalParamDescription{progress and cancel} \cgalParamType{model of
 ///     `SimpleManifoldsVisitor`, by `std::ref()`} \cgalParamDefault{none} \cgalParamNEnd

@@ -61,6 +61,7 @@ public:
   const Fit_report& report() const { return report_; }
   /// The map that the surface of the last run suits.
   const Map& map() const { return map_now_.map(); }
+  bool has_moved_map() const { return &map() != &map_; }
 
 private:
   using Clock = std::chrono::steady_clock;
