@@ -99,7 +99,7 @@ public:
   void polish()
   {
     const bool is_fast = request_.effort == Effort::FAST;
-    const int passes = request_.effort == Effort::QUALITY ? 7 : 3, worst = is_fast ? 0 : 20;
+    const int passes = request_.effort == Effort::QUALITY ? 9 : 5, worst = is_fast ? 0 : 20;
     for (int pass = 0; pass < passes; ++pass) {
       const bool is_source = request_.has_fixed_target || pass % 2 == 0;
       const int sweeps = (pass == 0 ? 20 : 4) / (is_fast ? 2 : 1);

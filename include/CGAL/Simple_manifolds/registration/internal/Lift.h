@@ -9,7 +9,9 @@
 #define CGAL_SIMPLE_MANIFOLDS_REGISTRATION_INTERNAL_LIFT_H
 
 #include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/lay_out.h>
 #include <CGAL/Simple_manifolds/internal/Polygon_soup.h>
+#include <CGAL/Simple_manifolds/internal/bounding_cube.h>
 #include <CGAL/Simple_manifolds/internal/half_edges.h>
 #include <CGAL/Simple_manifolds/registration/internal/Registration_domain.h>
 
@@ -36,10 +38,11 @@ public:
   using Derivative = Eigen::Matrix<double, 3, Point::RowsAtCompileTime>;
 
   // positions, domain_points: of the vertices. The map is one to one.
-  Lift(const std::vector<Eigen::Vector3d>& positions, const std::vector<Triangle>& faces,
+  Lift(const std::vector<Eigen::Vector3d>& positions, const std::vector<Triangle>& given_faces,
        const std::vector<Point>& domain_points)
-    : opposite_(opposite_half_edges(Triangle_soup(static_cast<int>(positions.size()), faces)))
   {
+    const std::vector<Triangle> faces = sorted(given_faces, positions);
+    opposite_ = opposite_half_edges(Triangle_soup(static_cast<int>(positions.size()), faces));
     cells_.reserve(faces.size());
     for (const Triangle& t : faces) {
       const Point& a = domain_points[t[0]];
@@ -64,16 +67,50 @@ public:
     return found.face;
   }
 
-  // The face that has p, and the derivative of the position by p there.
-  int differentiate(const Point& p, int hint, Derivative& derivative) const
+  // The derivative of the position by the domain point, at one of them.
+  class Differential {
+  public:
+    Eigen::Vector3d operator()(const Point& d) const
+    {
+      return moved_.lazyProduct(d) * inverse_area_ - offset_ * gradient_sum_.dot(d);
+    }
+
+  private:
+    friend class Lift;
+    Differential(const Derivative& moved, const Point& gradient_sum, const Eigen::Vector3d& offset,
+                 double area)
+      : moved_(moved), gradient_sum_(gradient_sum), inverse_area_(1 / area), offset_(offset * inverse_area_)
+    {
+    }
+    const Derivative& moved_;
+    const Point& gradient_sum_;
+    double inverse_area_;
+    Eigen::Vector3d offset_;
+  };
+  // That at p; the face that has p goes to `face`, which is a hint before.
+  Differential differential(const Point& p, int& face) const
   {
-    const Found found = find(p, hint);
-    const Cell& cell = cells_[found.face];
-    derivative = (cell.moved - offset(found, p) * cell.gradient_sum.transpose()) / found.area;
-    return found.face;
+    const Found found = find(p, face);
+    face = found.face;
+    const Cell& cell = cells_[face];
+    return Differential(cell.moved, cell.gradient_sum, offset(found, p), found.area);
   }
 
 private:
+  // Faces that are neighbours in space are to be neighbours in memory.
+  static std::vector<Triangle> sorted(const std::vector<Triangle>& faces,
+                                      const std::vector<Eigen::Vector3d>& positions)
+  {
+    std::vector<Eigen::Vector3d> centres;
+    centres.reserve(faces.size());
+    for (const Triangle& t : faces)
+      centres.push_back((positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3);
+    std::vector<Triangle> result;
+    result.reserve(faces.size());
+    for (const int f : morton_order(normalized_points(centres))) result.push_back(faces[f]);
+    return result;
+  }
+
   // A face: the barycentric coordinates of a point of it are the areas that it makes with the sides.
   struct Cell {
     Point corner;
@@ -91,7 +128,7 @@ private:
   Eigen::Vector3d offset(const Found& found, const Point& p) const
   {
     const Cell& cell = cells_[found.face];
-    return cell.moved * Domain::local(cell.corner, p) / found.area;
+    return cell.moved.lazyProduct(Domain::local(cell.corner, p)) / found.area;
   }
 
   std::array<double, 3> areas(const Cell& cell, const Point& p) const

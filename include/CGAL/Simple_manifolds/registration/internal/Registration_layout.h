@@ -52,9 +52,15 @@ public:
                       std::vector<Eigen::Vector3d> positions, double shape_floor, bool is_parallel)
     : mesh_(mesh), geometry_(geometry), lift_(lift), positions_(std::move(positions)),
       shape_floor_(shape_floor), is_parallel_(is_parallel), image_(positions_.size()),
-      face_(positions_.size(), 0), is_frozen_(positions_.size(), 0), goal_weight_(positions_.size(), 0),
-      goal_(positions_.size())
+      face_(positions_.size(), 0), is_frozen_(positions_.size(), 0), failures_(positions_.size(), 0),
+      rest_(positions_.size(), 0), goal_weight_(positions_.size(), 0), goal_(positions_.size()),
+      order_(morton_order(normalized_points(positions_)))
   {
+    // By levels, and in each along Morton's curve: the target is asked at neighbouring places.
+    std::vector<int> level(order_.size(), 0);
+    for (int k = 1; k <= mesh.number_of_levels(); ++k)
+      std::fill(level.begin() + mesh.level_end(k - 1), level.begin() + mesh.level_end(k), k);
+    std::stable_sort(order_.begin(), order_.end(), [&](int v, int w) { return level[v] < level[w]; });
   }
 
   int number_of_vertices() const { return mesh_.number_of_active_vertices(); }
@@ -64,6 +70,13 @@ public:
   {
     stage_ = stage;
     if (stage != Stage::DOMAIN) lift_all();
+    if (stage == Stage::POINTWISE) {
+      sample_face_.resize(Pointwise_energy::number_of_points * area_.size());
+      for (int v = 0; v < number_of_vertices(); ++v)
+        std::fill_n(sample_face_.begin() +
+                      Pointwise_energy::number_of_points * (stars_.sectors(v) - stars_.sectors(0)),
+                    Pointwise_energy::number_of_points * stars_.degree(v), face_[v]);
+    }
   }
   void freeze(int v, bool is_frozen) { is_frozen_[v] = is_frozen; }
   // The vertex is drawn to p with the energy weight * |p - position|^2; weight 0: it is not.
@@ -123,7 +136,7 @@ public:
       for (int l = 1; l <= mesh_.level(); ++l)
         parallel_for(is_parallel_, mesh_.level_end(l - 1), mesh_.level_end(l), [&](int begin, int end) {
           Star local;
-          for (int v = begin; v < end; ++v) relax(v, local);
+          for (int i = begin; i < end; ++i) relax(order_[i], local);
         });
     }
   }
@@ -221,9 +234,8 @@ private:
     double sum = 0;
     int hint = face_[v[0]];
     for (const auto& beta : Pointwise_energy::points) {
-      typename Lift<Geometry>::Derivative L;
-      hint = lift_.differentiate(Domain::moved(p, beta[1] * a + beta[2] * b), hint, L);
-      const Image_triangle t(s, L * a, L * b, least_area(flat_area_[f]));
+      const auto L = lift_.differential(Domain::moved(p, beta[1] * a + beta[2] * b), hint);
+      const Image_triangle t(s, L(a), L(b), least_area(flat_area_[f]));
       sum += Pointwise_energy::value(t, flat_area_[f]) / flat_area_[f] / 2;
     }
     return sum / Pointwise_energy::number_of_points;
@@ -325,14 +337,14 @@ private:
   const Distortion_energy& domain_energy() const { return stage_ == Stage::DOMAIN ? own_ : guard_; }
 
   // The energy with the vertex at q, where its image is y, in face f of the target; infinite where a face of the
-  // star is not positive.
-  double energy(int v, const Star& star, const Point& q, const Eigen::Vector3d& y, int f) const
+  // star is not positive. Where it is more than the bound, it may be anything above that.
+  double energy(int v, const Star& star, const Point& q, const Eigen::Vector3d& y, double bound)
   {
     const double infinite = std::numeric_limits<double>::infinity();
     double sum = 0;
     if (stage_ == Stage::POINTWISE) {
       if (!has_margin(star, q, 1e-12)) return infinite;
-      sum = pointwise(v, star, q, f, nullptr);
+      sum = pointwise(v, star, q, nullptr, bound);
     } else {
       sum = star.energy(geometry_, domain_energy(), q);
       if (!(sum < infinite)) return infinite;
@@ -363,24 +375,25 @@ private:
     return sum;
   }
 
-  double pointwise(int v, const Star& star, const Point& p, int hint, Quadratic_model* m) const
+  double pointwise(int v, const Star& star, const Point& p, Quadratic_model* m,
+                   double bound = (std::numeric_limits<double>::max)())
   {
     const std::size_t first = stars_.sectors(v) - stars_.sectors(0);
+    int* hint = &sample_face_[first * Pointwise_energy::number_of_points];
     const auto frame = Domain::frame(p);
     double sum = 0;
     Point a = star.ring[0] - p;
-    for (int i = 0; i < star.number_of_sectors(); ++i) {
+    for (int i = 0; i < star.number_of_sectors() && sum <= bound; ++i) {
       const Point b = star.ring[i + 1] - p;
       const auto& s = star.sectors[i];
       const double area = area_[first + i], weight = s.area / area / Pointwise_energy::number_of_points;
       for (const auto& beta : Pointwise_energy::points) {
-        const Point q = Domain::moved(p, beta[1] * a + beta[2] * b);
-        typename Lift<Geometry>::Derivative L;
-        hint = lift_.differentiate(q, hint, L);
-        const Image_triangle t(s, L * a, L * b, least_area(area));
+        const auto L = lift_.differential(Domain::moved(p, beta[1] * a + beta[2] * b), *hint++);
+        const Image_triangle t(s, L(a), L(b), least_area(area));
         sum += weight * Pointwise_energy::value(t, area);
         if (m) {
-          const Eigen::Matrix<double, 3, 2> J = L * frame;
+          Eigen::Matrix<double, 3, 2> J;
+          J << L(frame.col(0)), L(frame.col(1));
           t.add(*m, s, Pointwise_energy::derivatives(t, area, weight), J, J.transpose() * J);
         }
       }
@@ -408,11 +421,15 @@ private:
   void relax(int v, Star& star)
   {
     if (is_frozen_[v]) return;
+    if (rest_[v] > 0) {
+      --rest_[v];
+      return;
+    }
     star.gather(geometry_, stars_, v, false);
     const double star_radius = radius(star);
     Quadratic_model m;
     if (stage_ == Stage::POINTWISE) {
-      m.value = pointwise(v, star, star.position, face_[v], &m);
+      m.value = pointwise(v, star, star.position, &m);
     } else {
       m = geometry_.model(star, domain_energy());
       if (stage_ == Stage::CHORDAL) {
@@ -428,18 +445,26 @@ private:
     const double slope = step[0] * m.g0 + step[1] * m.g1;
     if (!(slope < 0)) return;
     double scale = over_relaxation;
-    for (int i = 0; i < 9; ++i, scale /= 2) {
+    const int trials = stage_ == Stage::POINTWISE ? 5 : 9;
+    for (int i = 0; i < trials; ++i, scale /= 2) {
       const Point q = geometry_.moved(star, scale * step);
       Eigen::Vector3d y = image_[v];
       int f = face_[v];
       if (stage_ == Stage::CHORDAL) f = lift_.locate(q, f, y);
-      if (energy(v, star, q, y, f) <= m.value + 1e-4 * scale * slope) {
+      const double bound = m.value + 1e-4 * scale * slope;
+      if (energy(v, star, q, y, bound) <= bound) {
         geometry_.set_position(v, q);
         if (stage_ == Stage::POINTWISE) f = lift_.locate(q, f, y);
         image_[v] = y;
         face_[v] = f;
+        failures_[v] = 0;
         return;
       }
+    }
+    // The energy has kinks where points cross edges of the target: many vertices stop at one.
+    if (stage_ == Stage::POINTWISE) {
+      rest_[v] = static_cast<char>(1 << failures_[v]);
+      if (failures_[v] < 3) ++failures_[v];
     }
   }
 
@@ -465,12 +490,15 @@ private:
   std::vector<Eigen::Vector3d> image_; // per vertex, on the target
   std::vector<int> face_;              // of the target, that has it
   std::vector<char> is_frozen_;
-  std::vector<double> goal_weight_; // 0: none
+  std::vector<char> failures_, rest_; // steps that failed in a row, and sweeps until the next one
+  std::vector<double> goal_weight_;   // 0: none
   std::vector<Point> goal_;
+  std::vector<int> order_;           // in which the vertices are relaxed
   std::vector<Face_target> targets_; // of the active faces
   std::vector<float> flat_area_;     // of the active faces in space
   typename Star::Table stars_;       // of the active vertices
   std::vector<int> neighbour_;       // per sector of the stars: its first neighbour
+  std::vector<int> sample_face_;     // per point of a sector: where it was on the target, pointwise
   std::vector<float> area_;          // and the area in space of its face
 };
 
