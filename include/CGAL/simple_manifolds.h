@@ -87,6 +87,7 @@
 #include <CGAL/Simple_manifolds/embedding/fit_mesh_surface.h>
 #include <CGAL/Simple_manifolds/embedding/fit_surface.h>
 #include <CGAL/Simple_manifolds/embedding/measures.h>
+#include <CGAL/Simple_manifolds/embedding/strided_arrays.h>
 
 #include <CGAL/Simple_manifolds/tessellation/Chart_textures.h>
 #include <CGAL/Simple_manifolds/tessellation/Domain_triangulation.h>

@@ -54,11 +54,16 @@ void run_map(const Map& map)
   for (int c = 0; c < map.atlas().number_of_charts(); ++c)
     for (const auto& level : surface.chart_embedding(c).levels())
       for (const auto& x : level.coefficients) print("control", x);
-  std::vector<SM::Jet> jets;
+  std::vector<SM::Jet> jets, first;
+  std::vector<Eigen::Vector3d> positions;
+  surface.points(points, std::back_inserter(positions));
+  surface.template jets<1>(points, std::back_inserter(first));
   surface.jets(points, std::back_inserter(jets));
   for (std::size_t k = 0; k < points.size(); ++k) {
     print("curvature direction", surface.jet(points[k]).uu);
-    print("in a batch", jets[k].uu);
+    print("in batches", positions[k]);
+    print("in batches", first[k].u);
+    print("in batches", jets[k].uu);
   }
 }
 

@@ -4,9 +4,11 @@
 
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/embedding/Patch_stack_embedding.h>
+#include <CGAL/Simple_manifolds/embedding/strided_arrays.h>
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <iterator>
 #include <list>
 #include <vector>
@@ -306,6 +308,14 @@ TEST_CASE("A point has the same result to the last bit in any range and for any 
     std::size_t different = 0;
     for (std::size_t k = 0; k < p.size(); ++k) different += distance(all[k], parallel[k]) != 0;
     CHECK(different == 0);
+    std::vector<SM::Jet> direct(p.size());
+    std::deque<SM::Jet> pieces(p.size());
+    CHECK(surface.template jets<CGAL::Parallel_if_available_tag>(p, direct.data()) ==
+          direct.data() + p.size());
+    CHECK(surface.template jets<CGAL::Parallel_if_available_tag>(p, pieces.begin()) == pieces.end());
+    for (std::size_t k = 0; k < p.size(); ++k)
+      different += distance(all[k], direct[k]) != 0 || distance(all[k], pieces[k]) != 0;
+    CHECK(different == 0);
     for (std::size_t n : {0, 1, 2, 31, 32, 33, 700}) {
       const std::list<std::decay_t<decltype(p[0])>> part(p.begin() + 5, p.begin() + 5 + n);
       some.clear();
@@ -318,6 +328,73 @@ TEST_CASE("A point has the same result to the last bit in any range and for any 
   check(hierarchical_surface<SM::Sphere_atlas>(), random_domain_points<SM::Sphere_atlas>(5000));
   check(hierarchical_surface<SM::Torus_atlas>(), random_domain_points<SM::Torus_atlas>(5000));
   check(rough_surface<SM::Torus_atlas>(bumpy_torus), random_domain_points<SM::Torus_atlas>(5000));
+}
+
+TEMPLATE_TEST_CASE("Arrays of single and double precision with strides take what vectors take", "",
+                   SM::Plane_atlas, SM::Torus_atlas, SM::Sphere_atlas)
+{
+  using Atlas = TestType;
+  constexpr std::size_t n = 3000, dimension = std::size_t(Atlas::Domain_point::SizeAtCompileTime);
+  const auto surface = hierarchical_surface<Atlas>();
+  const Atlas& atlas = surface.atlas();
+  const auto p = random_domain_points<Atlas>(n);
+
+  SECTION("double, back to front, every other number")
+  {
+    std::vector<double> in(2 * dimension * n, -7.), out(5 * n, -1.), u(3 * n);
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t i = 0; i < dimension; ++i) in[2 * dimension * (n - 1 - k) + i] = p[k][Eigen::Index(i)];
+    const auto range =
+      SM::strided_points(atlas, &in[2 * dimension * (n - 1)], n, -std::ptrdiff_t(2 * dimension));
+    REQUIRE(range.size() == n);
+    std::vector<Vector3d> points;
+    std::vector<SM::Jet> jets;
+    surface.points(p, std::back_inserter(points));
+    surface.template jets<1>(p, std::back_inserter(jets));
+    const auto end =
+      surface.template points<CGAL::Parallel_if_available_tag>(range, SM::strided_vectors(out.data(), 5));
+    CHECK(end - SM::strided_vectors(out.data(), 5) == std::ptrdiff_t(n));
+    surface.template jets<1>(
+      range, SM::strided_jets<double>({nullptr, u.data(), nullptr, nullptr, nullptr, nullptr}));
+    std::size_t different = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      different += Vector3d(&out[5 * k]) != points[k] || Vector3d(&u[3 * k]) != jets[k].u;
+      different += out[5 * k + 3] != -1 || out[5 * k + 4] != -1; // between the results
+    }
+    CHECK(different == 0);
+  }
+  SECTION("float")
+  {
+    std::vector<float> in, out(8 * n); // positions and normals, as vertices have them
+    for (const auto& x : p)
+      for (const double c : x) in.push_back(float(c));
+    const auto range = SM::strided_points(atlas, in.data(), n);
+    surface.points(range, SM::strided_vectors(out.data(), 8));
+    surface.normals(range, SM::strided_vectors(out.data() + 4, 8));
+    double position = 0, normal = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vector3d x = Eigen::Vector3f(&out[8 * k]).template cast<double>();
+      const Vector3d m = Eigen::Vector3f(&out[8 * k + 4]).template cast<double>();
+      position = (std::max)(position, (x - surface.point(p[k])).norm());
+      normal = (std::max)(normal, (m - surface.normal(p[k])).norm());
+    }
+    CAPTURE(position, normal);
+    CHECK(position < 1e-5);
+    CHECK(normal < 1e-3);
+    CHECK(position > 1e-9); // it is single precision
+  }
+  SECTION("points that are rounded to outside of the domain, and none")
+  {
+    std::vector<float> in(dimension, 1.f), out(3);
+    surface.points(SM::strided_points(atlas, in.data(), 1), SM::strided_vectors(out.data()));
+    typename Atlas::Domain_point ones;
+    ones.setOnes();
+    const Vector3d expected = surface.point(atlas.canonical(ones));
+    CHECK((Eigen::Vector3f(out.data()).template cast<double>() - expected).norm() < 1e-6);
+    out[0] = 5;
+    surface.points(SM::strided_points<Atlas, float>(atlas, nullptr, 0), SM::strided_vectors(out.data()));
+    CHECK(out[0] == 5);
+  }
 }
 
 namespace {

@@ -23,6 +23,7 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
@@ -188,7 +189,7 @@ public:
   OutputIterator points(const Range& range, OutputIterator out) const
   {
     static_assert(is_range_of_points<Range>, "the range is none of domain points or chart points");
-    return evaluate<ConcurrencyTag, 0>(range, out, [](const Eigen::Vector3d& e) { return e; });
+    return evaluate<ConcurrencyTag, 0>(range, out, Identity());
   }
 
   /// Jets with derivatives up to `Order`, 1 or 2.
@@ -196,7 +197,7 @@ public:
   OutputIterator jets(const Range& range, OutputIterator out) const
   {
     static_assert(is_range_of_points<Range>, "the range is none of domain points or chart points");
-    return evaluate<ConcurrencyTag, Order>(range, out, [](const Jet& e) { return e; });
+    return evaluate<ConcurrencyTag, Order>(range, out, Identity());
   }
 
   /// The same, with `Sequential_tag`.
@@ -220,26 +221,71 @@ private:
   static constexpr bool is_range_of_points =
     std::is_same_v<Element, Domain_point> || std::is_same_v<Element, Chart_point>;
 
+  struct Identity {
+    template <class T>
+    const T& operator()(const T& x) const
+    {
+      return x;
+    }
+  };
+
+  template <class Iterator>
+  static constexpr bool is_random_access =
+    std::is_convertible_v<typename std::iterator_traits<Iterator>::iterator_category,
+                          std::random_access_iterator_tag>;
+
   // Order 0: positions
   template <class ConcurrencyTag, int Order, class Range, class OutputIterator, class Function>
   OutputIterator evaluate(const Range& range, OutputIterator out, const Function& f) const
   {
-    constexpr std::size_t chunk = std::is_convertible_v<ConcurrencyTag, Parallel_tag> ? 1 << 16 : 1 << 9;
     using Point = internal::Plain<typename internal::Range_element<const Range>::type>;
-    using Result = std::conditional_t<Order == 0, Eigen::Vector3d, Jet>;
-    std::vector<Point> points;
-    std::vector<Result> results;
-    auto it = std::begin(range);
-    while (it != std::end(range)) {
-      points.clear();
-      for (; it != std::end(range) && points.size() < chunk; ++it) points.push_back(*it);
-      results.resize(points.size());
-      internal::parallel_for<ConcurrencyTag>(0, int(points.size()), [&](int first, int last) {
-        evaluate<Order>(&points[first], last - first, &results[first]);
-      });
-      for (const Result& e : results) *out++ = f(e);
+    using Result = internal::Plain<decltype(f(std::declval<internal::Batch_result<Order>>()))>;
+    if constexpr (is_random_access<decltype(std::begin(range))> && is_random_access<OutputIterator>) {
+      constexpr std::ptrdiff_t most = 1 << 30; // parallel_for() counts with int
+      const auto begin = std::begin(range);
+      const std::ptrdiff_t n = std::end(range) - begin;
+      for (std::ptrdiff_t done = 0; done < n; done += most)
+        internal::parallel_for<ConcurrencyTag>(0, int((std::min)(most, n - done)), [&](int first, int last) {
+          evaluate_piece<Order, Point>(begin + (done + first), last - first, out + (done + first), f);
+        });
+      return out + n;
+    } else {
+      constexpr std::size_t chunk = std::is_convertible_v<ConcurrencyTag, Parallel_tag> ? 1 << 16 : 1 << 9;
+      std::vector<Point> points;
+      std::vector<Result> results;
+      auto it = std::begin(range);
+      while (it != std::end(range)) {
+        points.clear();
+        for (; it != std::end(range) && points.size() < chunk; ++it) points.push_back(*it);
+        results.resize(points.size());
+        evaluate<ConcurrencyTag, Order>(points, results.begin(), f);
+        out = std::copy(results.begin(), results.end(), out);
+      }
+      return out;
     }
-    return out;
+  }
+
+  // through arrays that stay in the cache
+  template <int Order, class Point, class Iterator, class OutputIterator, class Function>
+  void evaluate_piece(Iterator it, int n, OutputIterator out, const Function& f) const
+  {
+    constexpr int chunk = 64;
+    std::array<Point, chunk> points;
+    using Result = internal::Batch_result<Order>;
+    [[maybe_unused]] std::array<Result, chunk> results;
+    constexpr bool is_direct = std::is_same_v<Function, Identity> &&
+                               (std::is_same_v<OutputIterator, Result*> ||
+                                std::is_same_v<OutputIterator, typename std::vector<Result>::iterator>);
+    for (int done = 0; done < n; done += chunk) {
+      const int m = (std::min)(chunk, n - done);
+      for (int k = 0; k < m; ++k, ++it) points[std::size_t(k)] = *it;
+      if constexpr (is_direct) {
+        evaluate<Order>(points.data(), m, &out[done]);
+      } else {
+        evaluate<Order>(points.data(), m, results.data());
+        for (int k = 0; k < m; ++k, ++out) *out = f(results[std::size_t(k)]);
+      }
+    }
   }
 
   template <int Order, class Point, class Result>

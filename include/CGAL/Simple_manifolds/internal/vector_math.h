@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_INTERNAL_VECTOR_MATH_H
 #define CGAL_SIMPLE_MANIFOLDS_INTERNAL_VECTOR_MATH_H
 
+#include <CGAL/Simple_manifolds/internal/always_inline.h>
+
 #include <cmath>
 
 namespace CGAL {
@@ -15,13 +17,13 @@ namespace Simple_manifolds {
 namespace internal {
 
 // 1 for x > 0, 0 for x < 0
-inline double one_if_positive(double x) { return 0.5 + std::copysign(0.5, x); }
+CGAL_SIMPLE_MANIFOLDS_ALWAYS_INLINE double one_if_positive(double x) { return 0.5 + std::copysign(0.5, x); }
 
 // atan2(y,x) for y >= 0, the angle in [0,pi], with an absolute error below 1e-15. NaN where both are 0.
 //
 // It has no branches, so that compilers turn a loop of it into packs, which they do not with std::atan2().
 // (GCC makes branches even of choices between constants, but not of copysign().)
-inline double upper_atan2(double y, double x)
+CGAL_SIMPLE_MANIFOLDS_ALWAYS_INLINE double upper_atan2(double y, double x)
 {
   constexpr double pi = 3.14159265358979324, tan_22_5 = 0.41421356237309505, tan_67_5 = 2.4142135623730950;
   // The angle of (|x|,y) less 0, pi/4 or pi/2, such that the rest is in [-pi/8, pi/8]; t is its tangent:

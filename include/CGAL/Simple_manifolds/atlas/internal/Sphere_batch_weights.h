@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/internal/bump_jet.h>
 #include <CGAL/Simple_manifolds/internal/Batch_slot.h>
+#include <CGAL/Simple_manifolds/internal/always_inline.h>
 #include <CGAL/Simple_manifolds/internal/vector_math.h>
 
 #include <Eigen/Core>
@@ -49,7 +50,8 @@ public:
     for (int h = 0; h < 3; ++h) {
       const Row &x = p_[h], &y = p_[(h + 1) % 3];
       for (int k = 0; k < row_size; ++k) // near the axis, outside of the charts, any number but 0 will do
-        r_[h][k] = std::sqrt((std::max)(x[k] * x[k] + y[k] * y[k], 0.1));
+        r_[h][k] = (std::max)(x[k] * x[k] + y[k] * y[k], 0.1);
+      square_roots(r_[h]);
     }
     coordinates(p_[0], p_[1], p_[2], r_[0], chart_[0], first_);
     weights<0>(first_);
@@ -72,6 +74,13 @@ private:
       p_[i][k] = p[(3 + i - pair) % 3];
       chart_[i][k] = 2 * ((pair + i) % 3);
     }
+  }
+
+  // Eigen's, since compilers make no packs of std::sqrt(), which may set errno.
+  static void square_roots(Row& r)
+  {
+    Eigen::Map<Eigen::Array<double, row_size, 1>, Eigen::Aligned64> array(r.x);
+    array = array.sqrt();
   }
 
   template <class Slot>
@@ -119,7 +128,7 @@ private:
   // Stores the first derivatives J of the coordinates of slot H by those of the first slot, and the second
   // ones; makes w a function of the latter.
   template <int H, class Slot>
-  void transport(int k, Slot& slot, double (&w)[6])
+  CGAL_SIMPLE_MANIFOLDS_ALWAYS_INLINE void transport(int k, Slot& slot, double (&w)[6])
   {
     // the point and its derivatives by the coordinates of the first slot
     constexpr double a = pi, b = latitude_range;
@@ -174,7 +183,7 @@ private:
   }
 
   template <class Slot>
-  static void divide(int k, const double (&sum)[6], Slot& slot)
+  static CGAL_SIMPLE_MANIFOLDS_ALWAYS_INLINE void divide(int k, const double (&sum)[6], Slot& slot)
   {
     auto& b = slot.b;
     const double scale = 1 / sum[0];
@@ -191,7 +200,7 @@ private:
   }
 
   template <class Slot>
-  static void complete(int k, Slot& slot)
+  static CGAL_SIMPLE_MANIFOLDS_ALWAYS_INLINE void complete(int k, Slot& slot)
   {
     const double b = slot.b[0][k], bi[2] = {slot.b[1][k], slot.b[2][k]};
     double J[2][2];

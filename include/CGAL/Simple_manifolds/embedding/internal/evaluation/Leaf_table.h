@@ -63,6 +63,7 @@ public:
   struct Place {
     const Quad* controls;
     double scale; // 2^level
+    int shift;    // cells of the finest grid with equal i >> shift and j >> shift are in one leaf
   };
 
   // cells per side of the coarsest grid
@@ -75,6 +76,9 @@ public:
     return scale * x - int((std::min)(scale * x, scale * base_ - 0.5)); // the last has the end of the square
   }
 
+  // Whether cells of the finest grid whose indices differ by the bits `di` and `dj` have one entry in the first table.
+  bool are_close(int di, int dj) const { return (di | dj) >> (finest - root_level_) == 0; }
+
   Place find_place(int i, int j) const
   {
     int shift = finest - root_level_;
@@ -84,7 +88,8 @@ public:
       shift -= depth;
       entry = table_[entry.index + (std::size_t(i >> shift & mask) << depth) + (j >> shift & mask)];
     }
-    return {&controls_[entry.index * controls_per_leaf_], double(1 << entry.detail)};
+    return {&controls_[entry.index * controls_per_leaf_], double(1 << entry.detail),
+            finest - int(entry.detail)};
   }
 
 private:

@@ -14,6 +14,7 @@
 #include <CGAL/Simple_manifolds/embedding/internal/evaluation/Pack.h>
 #include <CGAL/Simple_manifolds/embedding/internal/evaluation/Tensor_sum.h>
 #include <CGAL/Simple_manifolds/internal/Batch_slot.h>
+#include <CGAL/Simple_manifolds/internal/always_inline.h>
 #include <CGAL/Simple_manifolds/internal/compiled.h>
 
 #include <Eigen/Core>
@@ -30,8 +31,8 @@ namespace internal {
 
 // Adds b E with its derivatives: see Batch_slot. x holds E and its derivatives.
 template <int Order, int Width, bool IsTransported>
-void add_blended(const Batch_slot<Order, IsTransported>& slot, int k, const Pack_jet<Width>& x,
-                 Pack_jet<Width>& e)
+CGAL_SIMPLE_MANIFOLDS_ALWAYS_INLINE void add_blended(const Batch_slot<Order, IsTransported>& slot, int k,
+                                                     const Pack_jet<Width>& x, Pack_jet<Width>& e)
 {
   const auto& b = slot.b;
   e.value += b[0][k] * x.value;
@@ -130,7 +131,8 @@ class Blend_rows {
 public:
   using Sums = std::array<Pack_jet<Width>, 4 / Width>;
 
-  template <class Slot>
+  // Adds the contributions of a slot; those of the first one are added to 0.
+  template <bool IsFirst, class Slot>
   void add(const Hierarchical_embedding* charts, const Slot& slot)
   {
     const Leaf_table& first = charts[0].leaves(); // all have the same base
@@ -140,16 +142,10 @@ public:
       i_[k] = first.cell(x_[k]);
       j_[k] = first.cell(y_[k]);
     }
-    for (int k = 0; k < row_size; ++k) {
-      const int chart = int(slot.chart[k]);
-      scale_[k] = 1;
-      if (chart >= 0) {
-        const Leaf_table::Place place = charts[chart].leaves().find_place(i_[k], j_[k]);
-        controls_[k] = place.controls;
-        scale_[k] = place.scale;
-        prefetch(place.controls);
-      }
-    }
+    if (is_coherent(first))
+      find_places<true>(charts, slot.chart);
+    else
+      find_places<false>(charts, slot.chart);
     for (int k = 0; k < row_size; ++k) {
       s_[k] = first.in_leaf(x_[k], scale_[k]);
       t_[k] = first.in_leaf(y_[k], scale_[k]);
@@ -158,25 +154,98 @@ public:
     a_.compute(s_, scale_);
     b_.compute(t_, scale_);
     for (int k = 0; k < row_size; ++k)
-      if (slot.chart[k] >= 0)
-        for (int i = 0; i < 4 / Width; ++i) {
+      for (int i = 0; i < 4 / Width; ++i) {
+        Pack_jet<Width> sum = IsFirst ? Pack_jet<Width>() : this->sum(k, i);
+        if (slot.chart[k] >= 0) {
           Pack_jet<Width> x;
           tensor_sum_rows(k, i * Width, x);
-          add_blended<Order, Width>(slot, k, x, sums_[k][i]);
+          add_blended<Order, Width>(slot, k, x, sum);
+          set_sum(k, i, sum);
+        } else if (IsFirst) {
+          set_sum(k, i, sum);
         }
+      }
   }
 
-  const Sums& operator[](int k) const { return sums_[k]; }
+  Sums operator[](int k) const
+  {
+    Sums e;
+    for (int i = 0; i < 4 / Width; ++i) e[i] = sum(k, i);
+    return e;
+  }
 
 private:
-  static void prefetch(const Quad* c)
+  CGAL_SIMPLE_MANIFOLDS_ALWAYS_INLINE Pack_jet<Width> sum(int k, int i) const
+  {
+    const auto& s = sums_[k][i];
+    Pack_jet<Width> e;
+    e.value = s[0];
+    if constexpr (Order >= 1) {
+      e.u = s[1];
+      e.v = s[2];
+    }
+    if constexpr (Order >= 2) {
+      e.uu = s[3];
+      e.uv = s[4];
+      e.vv = s[5];
+    }
+    return e;
+  }
+
+  CGAL_SIMPLE_MANIFOLDS_ALWAYS_INLINE void set_sum(int k, int i, const Pack_jet<Width>& e)
+  {
+    auto& s = sums_[k][i];
+    s[0] = e.value;
+    if constexpr (Order >= 1) {
+      s[1] = e.u;
+      s[2] = e.v;
+    }
+    if constexpr (Order >= 2) {
+      s[3] = e.uu;
+      s[4] = e.uv;
+      s[5] = e.vv;
+    }
+  }
+
+  // Whether most points are close to those before them.
+  bool is_coherent(const Leaf_table& table) const
+  {
+    int close = 0;
+    for (int k = 1; k < row_size; ++k) close += table.are_close(i_[k] ^ i_[k - 1], j_[k] ^ j_[k - 1]);
+    return close > row_size / 2;
+  }
+
+  // With `IsCoherent`, a point in the leaf of the one before it is not searched for. For random points that would
+  // be a test whose result the processor cannot foresee.
+  template <bool IsCoherent>
+  void find_places(const Hierarchical_embedding* charts, const Row& chart_of)
+  {
+    Leaf_table::Place place{nullptr, 1, 0};
+    int last_chart = -1, last = 0;
+    for (int k = 0; k < row_size; ++k) {
+      const int chart = int(chart_of[k]);
+      scale_[k] = 1;
+      if (chart < 0) continue;
+      if (!IsCoherent || chart != last_chart ||
+          ((i_[k] ^ i_[last]) | (j_[k] ^ j_[last])) >> place.shift != 0) {
+        place = charts[chart].leaves().find_place(i_[k], j_[k]);
+        prefetch(place.controls);
+        last_chart = chart;
+        last = k;
+      }
+      controls_[k] = place.controls;
+      scale_[k] = place.scale;
+    }
+  }
+
+  static CGAL_SIMPLE_MANIFOLDS_ALWAYS_INLINE void prefetch(const Quad* c)
   {
 #if defined(__GNUC__)
     for (int i = 0; i < (D + 1) * (D + 1); i += 2) __builtin_prefetch(c + i);
 #endif
   }
 
-  void tensor_sum_rows(int k, int first, Pack_jet<Width>& e) const
+  CGAL_SIMPLE_MANIFOLDS_ALWAYS_INLINE void tensor_sum_rows(int k, int first, Pack_jet<Width>& e) const
   {
     const Quad* c = controls_[k];
     Pack<Width> value{}, u{}, v{}, uu{}, uv{}, vv{};
@@ -216,19 +285,35 @@ private:
   Row x_, y_, s_, t_, scale_;
   std::array<int, row_size> i_, j_;
   Basis_rows<D, Order> a_, b_;
-  std::array<Sums, row_size> sums_;
+  // only the derivatives that are asked for, so that less of the cache is used
+  std::array<std::array<std::array<Pack<Width>, (Order + 1) * (Order + 2) / 2>, 4 / Width>, row_size> sums_;
 };
 
 template <int Order>
 using Batch_result = std::conditional_t<Order == 0, Eigen::Vector3d, Jet>;
 
+// Fetches the memory of results while they are computed: they are written in one go.
+template <class Result>
+CGAL_SIMPLE_MANIFOLDS_ALWAYS_INLINE void prefetch_for_writing([[maybe_unused]] const Result* out,
+                                                              [[maybe_unused]] int n)
+{
+#if defined(__GNUC__)
+  constexpr int line = 64;
+  const char* const first = reinterpret_cast<const char*>(out);
+  for (int k = 0; k < n * int(sizeof(Result)); k += line) __builtin_prefetch(first + k, 1);
+#endif
+}
+
 template <int D, int Order, int Width>
 void blend_row_of_degree(const Hierarchical_embedding* charts, const Batch_slots<Order>& slots, int n,
                          Batch_result<Order>* out)
 {
+  prefetch_for_writing(out, n);
   Blend_rows<D, Order, Width> rows;
-  for (int i = 0; i < slots.number_of_own; ++i) rows.add(charts, slots.own[i]);
-  for (int i = 0; i < slots.number_of_transported; ++i) rows.add(charts, slots.transported[i]);
+  rows.template add<true>(charts, slots.own[0]);
+  for (int i = 1; i < slots.number_of_own; ++i) rows.template add<false>(charts, slots.own[i]);
+  for (int i = 0; i < slots.number_of_transported; ++i)
+    rows.template add<false>(charts, slots.transported[i]);
   for (int k = 0; k < n; ++k) write_result<Order, Width>(rows[k], out[k]);
 }
 
