@@ -302,7 +302,7 @@ private:
                           certificate_.offending_faces.empty()
                             ? Mesh_element()
                             : Mesh_element::face(certificate_.offending_faces.front()));
-    return Point_locator<Atlas>(atlas_, domain_points_, faces_, std::move(opposite));
+    return Point_locator<Atlas>(std::move(opposite));
   }
 
   void measure()

@@ -15,8 +15,12 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -36,8 +40,8 @@ struct Located_face {
 /// \ingroup PkgSimpleManifoldsCorrespondence
 ///
 /// Finds the face of a triangulation of a canonical surface that contains a point: by a short walk from a hint, or by a
-/// tree; exact signs decide in both. Keeps no triangulation: the caller hands in the same points and faces each time.
-/// Const members are thread safe. `Manifold_map::to_mesh()` is made of it.
+/// tree, which is made when it is first needed; exact signs decide in both. Keeps no triangulation: the caller hands in
+/// the same points and faces each time. Const members are thread safe. `Manifold_map::to_mesh()` is made of it.
 ///
 /// \tparam Atlas  a model of `ManifoldAtlas`
 template <class Atlas>
@@ -47,21 +51,21 @@ public:
   using Points = std::vector<Domain_point>;          ///< of the vertices
   using Faces = std::vector<Triangle>;               ///< positions in the points
 
-  /// \param points, faces  the triangulation; all faces are positive and cover the surface once
   /// \param opposite  per side 3 f + k of the faces, from corner k to the next, that on its other side, or -1
-  Point_locator(const Atlas& atlas, const Points& points, const Faces& faces, std::vector<int> opposite)
-    : opposite_(std::move(opposite)), tree_(atlas, points, faces)
+  explicit Point_locator(std::vector<int> opposite)
+    : opposite_(std::move(opposite)), tree_(std::make_shared<Tree>())
   {
   }
 
   /// The face that contains `x`.
+  /// \param points, faces  the triangulation; all faces are positive and cover the surface once
   /// \param hint  a face to start from, or -1
   Located_face locate(const Atlas& atlas, const Points& points, const Faces& faces, const Domain_point& x,
                       int hint) const
   {
     Located_face located;
     if (hint != -1 && walk(atlas, points, faces, x, hint, located)) return located;
-    tree_.find(atlas, x, [&](int f) {
+    tree_->of(atlas, points, faces).find(atlas, x, [&](int f) {
       const internal::Face_sheet<Atlas> sheet(atlas, points, faces[f], x);
       for (int k = 0; k < 3; ++k)
         if ((located.sign[k] = sheet.side(k)) < 0) return false;
@@ -71,8 +75,8 @@ public:
     return located;
   }
 
-  /// The memory that it takes.
-  std::size_t bytes() const { return opposite_.capacity() * sizeof(int) + tree_.bytes(); }
+  /// The memory that it takes; that of the tree when it is there.
+  std::size_t bytes() const { return opposite_.capacity() * sizeof(int) + tree_->bytes(); }
 
 private:
   // Crosses sides that have the point strictly outside until there is none, but only few: beyond, the tree is
@@ -104,8 +108,27 @@ private:
     }
   }
 
-  std::vector<int> opposite_; // per corner 3 f + k: the half-edge beyond side k of f, or -1
-  internal::Face_tree<Atlas> tree_;
+  // A tree that is made when it is first needed: many maps are made, certified and written, and never searched.
+  class Tree {
+  public:
+    const internal::Face_tree<Atlas>& of(const Atlas& atlas, const Points& points, const Faces& faces)
+    {
+      std::call_once(once_, [&] {
+        tree_.emplace(atlas, points, faces);
+        bytes_ = tree_->bytes();
+      });
+      return *tree_;
+    }
+    std::size_t bytes() const { return bytes_; }
+
+  private:
+    std::once_flag once_;
+    std::optional<internal::Face_tree<Atlas>> tree_;
+    std::atomic<std::size_t> bytes_{0};
+  };
+
+  std::vector<int> opposite_;  // per corner 3 f + k: the half-edge beyond side k of f, or -1
+  std::shared_ptr<Tree> tree_; // copies share it, as they have the same triangulation
 };
 
 } // namespace Simple_manifolds

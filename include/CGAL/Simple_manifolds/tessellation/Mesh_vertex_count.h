@@ -56,7 +56,7 @@ public:
   {
     const internal::Triangle_soup soup(t.number_of_vertices(), t.triangles());
     const std::vector<int> opposite = internal::opposite_half_edges(soup);
-    const Point_locator<typename Map::Atlas> locator(t.atlas(), t.domain_points(), t.triangles(), opposite);
+    const Point_locator<typename Map::Atlas> locator(opposite);
     std::vector<int> count(t.number_of_faces(), 0);
     int hint = -1;
     for (std::size_t v = 0; v < map_->number_of_vertices(); ++v) {

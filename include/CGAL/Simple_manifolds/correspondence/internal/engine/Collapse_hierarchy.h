@@ -200,15 +200,22 @@ private:
       b.ring.push_back(table_.target(h));
       b.half_edge.push_back(h);
     });
+    // In the order of the least that they can cost: of most, the cost is never computed.
     const int d = static_cast<int>(b.ring.size());
     b.order.clear();
     for (int i = 0; i < d; ++i)
-      if (b.ring[i] != apex_) b.order.emplace_back(cost(u, b.ring, i), i);
+      if (b.ring[i] != apex_) b.order.emplace_back(cost(u, b.ring, i, 1), i);
     std::sort(b.order.begin(), b.order.end());
-    for (const auto& [c, i] : b.order)
-      if (satisfies_link_condition(b.ring, i, cap) && admissible(u, b.ring, i))
-        return {reluctance * c, u, b.half_edge[i]};
-    return Candidate();
+    std::pair<float, int> best((std::numeric_limits<float>::max)(), -1);
+    for (const auto& least : b.order) {
+      const int i = least.second;
+      if (best.second >= 0 && least > best) break;
+      const std::pair<float, int> candidate(cost(u, b.ring, i, worst_shape(b.ring, i)), i);
+      if ((best.second < 0 || candidate < best) && satisfies_link_condition(b.ring, i, cap) &&
+          admissible(u, b.ring, i))
+        best = candidate;
+    }
+    return best.second < 0 ? Candidate() : Candidate{reluctance * best.first, u, b.half_edge[best.second]};
   }
 
   bool satisfies_link_condition(const std::vector<int>& ring, int i, int cap) const
@@ -219,23 +226,34 @@ private:
     return true;
   }
 
-  // Length of the edge, times the worst shape among the new faces, with a charge for high degrees.
-  float cost(int u, const std::vector<int>& ring, int i) const
+  // Of the faces that merging into ring[i] makes: 1 for equilateral ones, at most 100.
+  double worst_shape(const std::vector<int>& ring, int i) const
   {
-    const int d = static_cast<int>(ring.size()), v = ring[i];
-    const Eigen::Vector3d& p = points_[v];
+    const int d = static_cast<int>(ring.size());
+    const Eigen::Vector3d& p = points_[ring[i]];
+    const auto following = [d](int k) { return k + 1 == d ? 0 : k + 1; };
     double worst = 1;
-    for (int j = 1; j < d - 1; ++j) {
-      const int a = ring[(i + j) % d], b = ring[(i + j + 1) % d];
+    for (int j = 1, k = following(i); j < d - 1; ++j) {
+      const int a = ring[k], b = ring[k = following(k)];
       if (a == apex_ || b == apex_) continue;
       const Eigen::Vector3d e = points_[a] - p, f = points_[b] - p;
       const double lengths = e.squaredNorm() + f.squaredNorm() + (f - e).squaredNorm();
-      const double area = 2 * std::sqrt(3.) * e.cross(f).norm();
+      const double square = e.cross(f).squaredNorm();
+      // Most faces are better than the worst one so far: no square root and no quotient tells.
+      if (lengths * lengths < 11.99 * worst * worst * square) continue;
+      const double area = 2 * std::sqrt(3.) * std::sqrt(square);
       worst = (std::max)(worst, lengths < 100 * area ? lengths / area : 100.);
     }
+    return worst;
+  }
+
+  // Length of the edge, times the worst shape among the new faces, with a charge for high degrees.
+  float cost(int u, const std::vector<int>& ring, int i, double worst) const
+  {
+    const int d = static_cast<int>(ring.size()), v = ring[i];
     const int new_degree = table_.degree(v) + d - 4;
     // The tiny length keeps the order by shape and degree where vertices coincide.
-    const double length = (points_[u] - p).squaredNorm() + 1e-20;
+    const double length = (points_[u] - points_[v]).squaredNorm() + 1e-20;
     return static_cast<float>(length * worst * (1 + 0.5 * (std::max)(0, new_degree - 8)));
   }
 
@@ -250,25 +268,29 @@ private:
     undo_.clear();
     int next_vertex = 0;
     for (int v : base) number_[v] = next_vertex++;
-    std::vector<int> level_vertices;
+    std::vector<int> level_vertices, by_vertex; // by_vertex: as undo_, in the order of the vertices
     for (int l = levels - 1; l >= 0; --l) {
       const std::size_t first = level_start[l], last = l + 1 < levels ? level_start[l + 1] : removed.size();
       level_vertices.assign(removed.begin() + first, removed.begin() + last);
       std::sort(level_vertices.begin(), level_vertices.end());
-      for (int v : level_vertices) number_[v] = next_vertex++;
+      for (int v : level_vertices) {
+        number_[v] = next_vertex++;
+        by_vertex.push_back(collapse_[v]);
+      }
       for (std::size_t i = last; i-- > first;) undo_.push_back(collapse_[removed[i]]);
       level_end_.push_back(next_vertex);
       undo_start_.push_back(static_cast<int>(undo_.size()));
     }
-    // A face belongs to the level that brings it back, the others to the base.
+    // A face belongs to the level that brings it back, the others to the base. Inside a level faces are in the order of
+    // the vertices that come back with them, which is good for the cache.
     const int faces = static_cast<int>(2 * undo_.size() + base_faces(removed));
     std::vector<int> face_number(faces, -1);
     int next_face = faces - 2 * static_cast<int>(undo_.size());
     face_end_.assign(1, next_face);
     for (int l = 1; l <= levels; ++l) {
       for (int i = undo_start_[l - 1]; i < undo_start_[l]; ++i) {
-        face_number[undo_[i] / 3] = next_face++;
-        face_number[table_.opposite(undo_[i]) / 3] = next_face++;
+        face_number[by_vertex[i] / 3] = next_face++;
+        face_number[table_.opposite(by_vertex[i]) / 3] = next_face++;
       }
       face_end_.push_back(next_face);
     }
