@@ -1,6 +1,8 @@
 // Opens the windows of CGAL::draw() for a map and for a surface, takes a picture of each, closes it, and
 // looks at the picture: it has to show the colours of several charts.
 
+#include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
+#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/draw.h>
 #include <CGAL/Simple_manifolds/tessellation/tessellate.h>
 

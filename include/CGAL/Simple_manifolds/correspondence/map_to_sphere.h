@@ -8,7 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_SPHERE_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_MAP_TO_SPHERE_H
 
-#include <CGAL/Simple_manifolds/atlas/canonical_surfaces.h>
+#include <CGAL/Simple_manifolds/atlas/Atlas_list.h>
+#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/internal/concepts.h>
 #include <CGAL/Simple_manifolds/internal/named_parameters.h>
 

@@ -15,6 +15,7 @@
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
 #include <CGAL/Simple_manifolds/embedding/Hierarchical_embedding.h>
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_engine.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Refining_fit.h>
 #include <CGAL/Simple_manifolds/internal/map_on_arrays.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 
 /// \file
 
@@ -68,7 +70,7 @@ public:
   ///   `max_controls` is 0 or allows for the coarsest space: `number_of_charts * (4 + spline_degree)^2`; there are no
   ///   `vertex_weights` or as many as vertices, finite and not negative
   Surface_fitter(const Map& map, const Fit_options& options = Fit_options(), const Bump& bump = Bump())
-    : fit_(map, options, bump, internal::is_parallel<ConcurrencyTag>())
+    : fit_(internal::make_fit_engine(map, options, bump, internal::is_parallel<ConcurrencyTag>()))
   {
     CGAL_precondition(options.rms_error >= 0 && options.max_error >= 0);
     CGAL_precondition(options.fairness >= 0 && options.fairness <= 1e12);
@@ -94,7 +96,7 @@ public:
   template <class Visitor>
   Surface fit(Visitor& visitor)
   {
-    return fit_.run(internal::Visitor_reference(visitor));
+    return fit_->run(internal::Visitor_reference(visitor));
   }
 
   /// The same without a visitor.
@@ -106,15 +108,15 @@ public:
 
   /// The map that the surface of the last `fit()` suits: the given one, or with `Fit_effort::COMPACT` one of the same
   /// mesh whose domain points moved with the surface. It lives until the next `fit()`.
-  const Map& map() const { return fit_.map(); }
+  const Map& map() const { return fit_->map(); }
   /// Whether that is another map than the given one.
-  bool has_moved_map() const { return fit_.has_moved_map(); }
+  bool has_moved_map() const { return fit_->has_moved_map(); }
 
   /// What the last `fit()` reached.
-  const Fit_report& report() const { return fit_.report(); }
+  const Fit_report& report() const { return fit_->report(); }
 
 private:
-  internal::Refining_fit<Map, Bump> fit_;
+  std::unique_ptr<internal::Fit_engine<Map, Bump>> fit_;
 };
 
 /// The map of a mesh (`Mesh_map`) is taken as the map on arrays that it is.

@@ -18,31 +18,16 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <cmath>
-#include <cstdint>
 
 namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
 // n / d, right to the last bits of a double whatever the sizes of the integers.
-inline double ratio(const Integer& n, const Integer& d)
-{
-  if (n.is_zero()) {
-    return 0;
-  }
-  // Qualified: CGAL has functions of these names, which would instantiate its traits of the type too early.
-  const Integer a = boost::multiprecision::abs(n), b = boost::multiprecision::abs(d);
-  const int shift = 62 + static_cast<int>(boost::multiprecision::msb(b)) -
-                    static_cast<int>(boost::multiprecision::msb(a)); // leaves a quotient of 62 or 63 bits
-  const Integer q = shift >= 0 ? Integer((a << shift) / b) : Integer(a / (b << -shift));
-  return n.sign() * d.sign() * std::ldexp(static_cast<double>(q.convert_to<std::uint64_t>()), -shift);
-}
-
 inline Eigen::Vector3d normalized_by_sum(const std::array<Integer, 3>& b)
 {
   const Integer sum = b[0] + b[1] + b[2];
-  CGAL_precondition(!sum.is_zero());
+  CGAL_precondition(sum.sign() != 0);
   return {ratio(b[0], sum), ratio(b[1], sum), ratio(b[2], sum)};
 }
 
@@ -65,7 +50,7 @@ exact_planar_barycentric(const Eigen::Vector2d& p, const Eigen::Vector2d& q, con
 {
   const auto z = exact_differences<3>(p, {q, r, x}, {kq, kr, kx});
   const Integer b1 = cross(z[2], z[1]), b2 = cross(z[0], z[2]);
-  return normalized_by_sum({Integer(cross(z[0], z[1]) - b1 - b2), b1, b2});
+  return normalized_by_sum({cross(z[0], z[1]) - b1 - b2, b1, b2});
 }
 
 } // namespace internal

@@ -13,8 +13,6 @@
 
 #include <Eigen/Core>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,13 +27,40 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
+// A sum of products, in the two's complement of 128 bits.
+class Sum_of_products {
+public:
+  void add(std::int64_t a, std::int64_t b)
+  {
+    const auto magnitude = [](std::int64_t x) { return x < 0 ? -std::uint64_t(x) : std::uint64_t(x); };
+    constexpr std::uint64_t low_half = 0xffffffff;
+    const std::uint64_t x = magnitude(a), y = magnitude(b);
+    const std::uint64_t x0 = x & low_half, x1 = x >> 32, y0 = y & low_half, y1 = y >> 32;
+    const std::uint64_t first = x1 * y0 + (x0 * y0 >> 32), second = x0 * y1 + (first & low_half);
+    std::uint64_t low = (second << 32) | (x0 * y0 & low_half);
+    std::uint64_t high = x1 * y1 + (first >> 32) + (second >> 32);
+    if ((a < 0) != (b < 0)) {
+      low = -low;
+      high = ~high + (low == 0);
+    }
+    low_ += low;
+    high_ += high + (low_ < low);
+  }
+
+  // For n of at least 64.
+  bool is_power_of_2(int n) const { return low_ == 0 && high_ == std::uint64_t(1) << (n - 64); }
+
+private:
+  std::uint64_t low_ = 0, high_ = 0;
+};
+
 CGAL_SIMPLE_MANIFOLDS_INLINE std::optional<bool>
 total_area_is_one(const std::vector<Eigen::Vector2d>& points, const std::vector<Triangle>& faces,
                   Eigen::Vector2i (*lift_offset)(const Eigen::Vector2d& p, const Eigen::Vector2d& q))
 {
   const double unit = 4503599627370496.; // 2^52
   const auto on_grid = [&](double x) { return 0 <= x && x <= 1 && std::floor(x * unit) == x * unit; };
-  boost::multiprecision::int128_t sum = 0; // of twice the areas, in units of 2^-104
+  Sum_of_products sum; // of twice the areas, in units of 2^-104
   for (const Triangle& t : faces) {
     for (int v : t)
       if (!on_grid(points[v][0]) || !on_grid(points[v][1])) return std::nullopt;
@@ -47,10 +72,10 @@ total_area_is_one(const std::vector<Eigen::Vector2d>& points, const std::vector<
         edge[k][i] = static_cast<std::int64_t>(q[i] * unit) - static_cast<std::int64_t>(p[i] * unit) +
                      lift[i] * static_cast<std::int64_t>(unit);
     }
-    sum += boost::multiprecision::int128_t(edge[0][0]) * edge[1][1];
-    sum -= boost::multiprecision::int128_t(edge[0][1]) * edge[1][0];
+    sum.add(edge[0][0], edge[1][1]);
+    sum.add(-edge[0][1], edge[1][0]);
   }
-  return sum == boost::multiprecision::int128_t(1) << 105;
+  return sum.is_power_of_2(105);
 }
 
 // The side of the square (0 bottom, 1 right, 2 top, 3 left) of a border point, and how far along it,

@@ -8,7 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_REFINING_FIT_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_REFINING_FIT_H
 
-#include <CGAL/Simple_manifolds/atlas/canonical_surfaces.h>
+#include <CGAL/Simple_manifolds/atlas/Atlas_list.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_options.h>
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
@@ -16,6 +16,7 @@
 #include <CGAL/Simple_manifolds/embedding/Manifold_surface.h>
 #include <CGAL/Simple_manifolds/embedding/closest_point.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Error_measurement.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_engine.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_progress.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_fit.h>
@@ -40,13 +41,13 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-/// The rounds of `Surface_fitter`: sample, solve, measure, refine. No template of tags and visitors, and `run()`
-/// is not inline, so that the compiled library has it.
+/// The rounds of `Surface_fitter`: sample, solve, measure, refine. No template of tags and visitors, so that the compiled
+/// library has it.
 template <class Map, class Bump>
-class Refining_fit {
+class Refining_fit : public Fit_engine<Map, Bump> {
 public:
   using Atlas = typename Map::Atlas;
-  using Surface = Manifold_surface<Atlas, Hierarchical_embedding, Bump>;
+  using Surface = typename Fit_engine<Map, Bump>::Surface;
 
   Refining_fit(const Map& map, const Fit_options& options, const Bump& bump, bool is_parallel)
     : map_(map), options_(options), is_parallel_(is_parallel), target_(map, options, is_parallel),
@@ -54,14 +55,11 @@ public:
       errors_(map, target_, partition_, options.marking == Marking::VERTICES)
   {
   }
-  Refining_fit(const Refining_fit&) = delete;
-  Refining_fit& operator=(const Refining_fit&) = delete;
 
-  Surface run(const Visitor_reference& visitor);
-  const Fit_report& report() const { return report_; }
-  /// The map that the surface of the last run suits.
-  const Map& map() const { return map_now_.map(); }
-  bool has_moved_map() const { return &map() != &map_; }
+  Surface run(const Visitor_reference& visitor) override;
+  const Fit_report& report() const override { return report_; }
+  const Map& map() const override { return map_now_.map(); }
+  bool has_moved_map() const override { return &map() != &map_; }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -469,12 +467,18 @@ typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Vis
   return surface;
 }
 
+template <class Map, class Bump>
+std::unique_ptr<Fit_engine<Map, Bump>> make_fit_engine(const Map& map, const Fit_options& options,
+                                                       const Bump& bump, bool is_parallel)
+{
+  return std::make_unique<Refining_fit<Map, Bump>>(map, options, bump, is_parallel);
+}
+
 #ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
-template <class Atlas>
-using Default_fit = Refining_fit<Manifold_map<Atlas>, Smoothstep_bump<2>>;
+using Default_bump = Smoothstep_bump<2>;
 #define CGAL_SIMPLE_MANIFOLDS_DEFAULT_FIT(Atlas)                                                             \
-  CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Default_fit<Atlas>::Surface Default_fit<Atlas>::run(                     \
-    const Visitor_reference&);
+  CGAL_SIMPLE_MANIFOLDS_INSTANTIATE std::unique_ptr<Fit_engine<Manifold_map<Atlas>, Default_bump>>           \
+  make_fit_engine(const Manifold_map<Atlas>&, const Fit_options&, const Default_bump&, bool);
 CGAL_SIMPLE_MANIFOLDS_FOR_EACH_ATLAS(CGAL_SIMPLE_MANIFOLDS_DEFAULT_FIT)
 #undef CGAL_SIMPLE_MANIFOLDS_DEFAULT_FIT
 #endif
