@@ -12,7 +12,9 @@
 #include <CGAL/Simple_manifolds/internal/named_parameters.h>
 
 #include <CGAL/Simple_manifolds/Visitor.h>
+#include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
+#include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
 #include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
@@ -70,29 +72,27 @@ struct Registration_request {
   Visitor_reference visitor;
 };
 
-class Sphere_geometry;
-
-// A template only so that who does not call it does not compile it.
-template <class Geometry = Sphere_geometry>
-Correspondence<Sphere_atlas> registered(const Manifold_map<Sphere_atlas>& source,
-                                        const Manifold_map<Sphere_atlas>& target,
-                                        const Registration_request& request, Registration_report& report);
+template <class Atlas>
+Correspondence<Atlas> registered(const Manifold_map<Atlas>& source, const Manifold_map<Atlas>& target,
+                                 const Registration_request& request, Registration_report& report);
 
 // The map with its domain points moved so that there is less distortion between it and the target, which stays; the
 // sources of the landmarks stay, too.
-template <class Geometry = Sphere_geometry>
-std::shared_ptr<const Manifold_map<Sphere_atlas>>
-polished(const std::shared_ptr<const Manifold_map<Sphere_atlas>>& map,
-         const Manifold_map<Sphere_atlas>& target, const Registration_request& request);
+template <class Atlas>
+std::shared_ptr<const Manifold_map<Atlas>> polished(const std::shared_ptr<const Manifold_map<Atlas>>& map,
+                                                    const Manifold_map<Atlas>& target,
+                                                    const Registration_request& request);
 
 #ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
-extern template std::shared_ptr<const Manifold_map<Sphere_atlas>>
-polished<Sphere_geometry>(const std::shared_ptr<const Manifold_map<Sphere_atlas>>&,
-                          const Manifold_map<Sphere_atlas>&, const Registration_request&);
-extern template Correspondence<Sphere_atlas> registered<Sphere_geometry>(const Manifold_map<Sphere_atlas>&,
-                                                                         const Manifold_map<Sphere_atlas>&,
-                                                                         const Registration_request&,
-                                                                         Registration_report&);
+#define CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Atlas)                                                                  \
+  extern template std::shared_ptr<const Manifold_map<Atlas>> polished<Atlas>(                                       \
+    const std::shared_ptr<const Manifold_map<Atlas>>&, const Manifold_map<Atlas>&, const Registration_request&);    \
+  extern template Correspondence<Atlas> registered<Atlas>(const Manifold_map<Atlas>&, const Manifold_map<Atlas>&,   \
+                                                          const Registration_request&, Registration_report&)
+CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Sphere_atlas);
+CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Torus_atlas);
+CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Plane_atlas);
+#undef CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF
 #endif
 
 template <class Atlas, class Position, std::enable_if_t<std::is_integral_v<Position>, int> = 0>
@@ -145,8 +145,12 @@ Correspondence<typename SourceMap::Atlas>
 register_maps(const SourceMap& source, const TargetMap& target,
               const NamedParameters& np = parameters::default_values())
 {
-  static_assert(std::is_same_v<typename SourceMap::Atlas, typename TargetMap::Atlas>,
+  using Atlas = typename SourceMap::Atlas;
+  static_assert(std::is_same_v<Atlas, typename TargetMap::Atlas>,
                 "the two maps go to different canonical surfaces");
+  static_assert(std::is_same_v<Atlas, Sphere_atlas> || std::is_same_v<Atlas, Torus_atlas> ||
+                  std::is_same_v<Atlas, Plane_atlas>,
+                "maps are registered over the sphere, the torus and the square");
   CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters,
                                          "landmark_pairs, effort, fix_target, registration_report, visitor");
   CGAL_SIMPLE_MANIFOLDS_RANGE_PARAMETER(NamedParameters, landmark_pairs, l, (void(l.source), void(l.target)),
@@ -165,7 +169,7 @@ register_maps(const SourceMap& source, const TargetMap& target,
   request.visitor =
     internal::Visitor_reference(internal::parameter(np, CGAL::internal_np::visitor, default_visitor));
   Registration_report report;
-  auto result = internal::registered<>(source, target, request, report);
+  auto result = internal::registered<Atlas>(source, target, request, report);
   if constexpr (internal::has_parameter<internal_np::registration_report_t, NamedParameters>)
     internal::parameter(np, internal_np::registration_report) = std::move(report);
   return result;

@@ -140,16 +140,17 @@ private:
   Registration_polish<Geometry> on_source_, on_target_;
 };
 
-template <class Geometry>
-Correspondence<Sphere_atlas> registered(const Manifold_map<Sphere_atlas>& source,
-                                        const Manifold_map<Sphere_atlas>& target,
-                                        const Registration_request& asked, Registration_report& report)
+template <class Atlas>
+Correspondence<Atlas> registered(const Manifold_map<Atlas>& source, const Manifold_map<Atlas>& target,
+                                 const Registration_request& asked, Registration_report& report)
 {
+  using Geometry = typename Registration_geometry_of<Atlas>::type;
+  using Point = typename Atlas::Domain_point;
   Registration_request request = asked;
   request.landmarks = consistent_pairs(std::move(request.landmarks));
   report = Registration_report();
   report.landmarks = request.landmarks.size();
-  std::vector<Indexed_landmark<Eigen::Vector3d>> landmarks;
+  std::vector<Indexed_landmark<Point>> landmarks;
   for (const auto& l : request.landmarks) landmarks.push_back({l.first, target.domain_point(l.second), 1});
 
   Registered_surface<Geometry> a(source.points(), source.faces(), source.domain_points());
@@ -162,7 +163,7 @@ Correspondence<Sphere_atlas> registered(const Manifold_map<Sphere_atlas>& source
   for (int attempt = 0; attempt < number_of_attempts; ++attempt) {
     request.visitor.start_phase("register");
     Registration_course course;
-    std::optional<std::vector<Eigen::Vector3d>> points =
+    std::optional<std::vector<Point>> points =
       Coarse_to_fine_registration<Geometry>(a, lift, landmarks, options).run(course, [&](double fraction) {
         request.visitor.progress((std::min)(fraction, 1.));
       });
@@ -184,7 +185,7 @@ Correspondence<Sphere_atlas> registered(const Manifold_map<Sphere_atlas>& source
       request.visitor.end_phase();
       request.visitor.start_phase("certify");
       try {
-        Correspondence<Sphere_atlas> result(with_domain_points(source, std::move(c.domain_points)),
+        Correspondence<Atlas> result(with_domain_points(source, std::move(c.domain_points)),
                                             with_domain_points(target, std::move(d.domain_points)));
         request.visitor.end_phase();
         return result;
@@ -202,11 +203,12 @@ Correspondence<Sphere_atlas> registered(const Manifold_map<Sphere_atlas>& source
                                                      fault);
 }
 
-template <class Geometry>
-std::shared_ptr<const Manifold_map<Sphere_atlas>>
-polished(const std::shared_ptr<const Manifold_map<Sphere_atlas>>& map,
-         const Manifold_map<Sphere_atlas>& target, const Registration_request& request)
+template <class Atlas>
+std::shared_ptr<const Manifold_map<Atlas>> polished(const std::shared_ptr<const Manifold_map<Atlas>>& map,
+                                                    const Manifold_map<Atlas>& target,
+                                                    const Registration_request& request)
 {
+  using Geometry = typename Registration_geometry_of<Atlas>::type;
   Registered_surface<Geometry> a(map->points(), map->faces(), map->domain_points());
   const Registered_surface<Geometry> b(target.points(), target.faces(), target.domain_points());
   const Lift<Geometry> lift = b.lift();
@@ -228,12 +230,15 @@ polished(const std::shared_ptr<const Manifold_map<Sphere_atlas>>& map,
 }
 
 #ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
-CGAL_SIMPLE_MANIFOLDS_INSTANTIATE std::shared_ptr<const Manifold_map<Sphere_atlas>>
-polished<Sphere_geometry>(const std::shared_ptr<const Manifold_map<Sphere_atlas>>&,
-                          const Manifold_map<Sphere_atlas>&, const Registration_request&);
-CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Correspondence<Sphere_atlas>
-registered<Sphere_geometry>(const Manifold_map<Sphere_atlas>&, const Manifold_map<Sphere_atlas>&,
-                            const Registration_request&, Registration_report&);
+#define CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Atlas)                                                                \
+  CGAL_SIMPLE_MANIFOLDS_INSTANTIATE std::shared_ptr<const Manifold_map<Atlas>> polished<Atlas>(                     \
+    const std::shared_ptr<const Manifold_map<Atlas>>&, const Manifold_map<Atlas>&, const Registration_request&);    \
+  CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Correspondence<Atlas> registered<Atlas>(                                        \
+    const Manifold_map<Atlas>&, const Manifold_map<Atlas>&, const Registration_request&, Registration_report&)
+CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Sphere_atlas);
+CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Torus_atlas);
+CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Plane_atlas);
+#undef CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF
 #endif
 
 } // namespace internal

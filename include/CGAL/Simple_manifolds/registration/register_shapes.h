@@ -103,7 +103,7 @@ Shape_set<Atlas> register_shapes(const std::vector<std::shared_ptr<const Manifol
         request.is_parallel = internal::is_parallel<ConcurrencyTag>();
         request.visitor = internal::Visitor_reference(visitor);
         request.effort = effort;
-        registered[i] = internal::polished<>(registered[i], mean, request);
+        registered[i] = internal::polished<Atlas>(registered[i], mean, request);
       }
     }
   return Shape_set<Atlas>(std::move(registered));

@@ -8,9 +8,10 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_REGISTRATION_INTERNAL_COARSE_TO_FINE_REGISTRATION_H
 #define CGAL_SIMPLE_MANIFOLDS_REGISTRATION_INTERNAL_COARSE_TO_FINE_REGISTRATION_H
 
+#include <CGAL/Simple_manifolds/registration/internal/Alignments.h>
 #include <CGAL/Simple_manifolds/registration/internal/Registered_surface.h>
 #include <CGAL/Simple_manifolds/registration/internal/Registration_layout.h>
-#include <CGAL/Simple_manifolds/registration/internal/rotation_search.h>
+#include <CGAL/Simple_manifolds/registration/internal/torus_markings.h>
 
 #include <Eigen/Core>
 
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -39,6 +41,7 @@ template <class Geometry>
 class Coarse_to_fine_registration {
 public:
   using Point = typename Geometry::Point;
+  using Domain = Registration_domain<Geometry>;
   using Landmarks = std::vector<Indexed_landmark<Point>>;
   using Layout = Registration_layout<Geometry>;
   using Stage = typename Layout::Stage;
@@ -46,15 +49,17 @@ public:
   Coarse_to_fine_registration(const Registered_surface<Geometry>& source, const Lift<Geometry>& target,
                               const Landmarks& landmarks, const Registration_options& options,
                               bool is_placed = false)
-    : geometry_(static_cast<int>(source.points.size())),
-      levels_(source, geometry_, vertices_of(landmarks), options.area_floor, options.is_parallel),
-      lift_(target), layout_(levels_.mesh, geometry_, target, levels_.numbered(source.positions),
-                             options.shape_floor, options.is_parallel),
-      options_(options), landmarks_(landmarks), full_(levels_.numbered(source.domain_points)),
-      is_exact_(landmarks.empty()), is_placed_(is_placed), has_search_(is_placed || landmarks.size() <= 6)
+    : source_(source), levels_(source, vertices_of(landmarks), options.area_floor, options.is_parallel),
+      geometry_(levels_.geometry), lift_(target),
+      layout_(levels_.mesh, geometry_, target, levels_.numbered(source.positions, Eigen::Vector3d(0, 0, 0)),
+              options.shape_floor, options.is_parallel),
+      options_(options), landmarks_(landmarks), full_(levels_.numbered(source.domain_points, Point(Point::Zero()))),
+      is_exact_(landmarks.empty()), is_placed_(is_placed),
+      has_search_(is_placed || landmarks.size() <= Domain::most_landmarks_of_a_search)
   {
     for (auto& l : landmarks_) l.vertex = levels_.number(l.vertex);
-    if (has_search_ && !is_placed_ && landmarks_.size() >= 3) rotate_full_map();
+    if constexpr (std::is_same_v<Geometry, Sphere_geometry>)
+      if (has_search_ && !is_placed_ && landmarks_.size() >= 3) rotate_full_map();
   }
 
   // The domain points of the source in the order of its vertices; nothing if doubles do not suffice.
@@ -62,7 +67,7 @@ public:
   std::optional<std::vector<Point>> run(Registration_course& course, const Progress& progress)
   {
     Collapse_hierarchy& mesh = levels_.mesh;
-    if (!geometry_.lay_out_base(mesh)) return std::nullopt;
+    if (!lay_out_base()) return std::nullopt;
     layout_.update_mesh();
     draw();
     layout_.sweep(50);
@@ -80,6 +85,7 @@ public:
         course.exact_at = layout_.number_of_vertices();
       if (is_finest) break;
       const int first = layout_.number_of_vertices();
+      geometry_.start_level(mesh);
       mesh.refine([&](int h) { geometry_.restore(mesh.table(), h); });
       layout_.update_mesh();
       if (!has_started) draw();
@@ -92,6 +98,7 @@ public:
       layout_.sweep(sweeps(is_last ? 8. : (std::min)(100., (std::max)(4 * std::sqrt(N / n), 3e4 / n))));
     }
     course.unreached = unreached();
+    geometry_.start_level(mesh); // on the torus it takes the copies that are domain points
     return points();
   }
 
@@ -106,7 +113,7 @@ private:
 
   std::vector<Point> points() const
   {
-    std::vector<Point> p(full_.size());
+    std::vector<Point> p(source_.domain_points.size());
     for (int v = 0; v < static_cast<int>(p.size()); ++v) p[v] = geometry_.position(levels_.number(v));
     return p;
   }
@@ -117,13 +124,30 @@ private:
       if (l.vertex < layout_.number_of_vertices()) active.push_back(l);
     return active;
   }
-  bool is_reached(const Indexed_landmark<Point>& l) const { return geometry_.position(l.vertex) == l.target; }
+  bool is_reached(const Indexed_landmark<Point>& l) const
+  {
+    const Point& p = geometry_.position(l.vertex);
+    return p == Domain::copy_at(p, l.target);
+  }
   std::vector<int> unreached() const
   {
     std::vector<int> list;
     for (std::size_t i = 0; i < landmarks_.size(); ++i)
       if (!is_reached(landmarks_[i])) list.push_back(static_cast<int>(i));
     return list;
+  }
+
+  // With coordinates that go round a torus as those of the map that the source came with do.
+  bool lay_out_base()
+  {
+    if (!geometry_.lay_out_base(levels_.mesh)) return false;
+    if constexpr (std::is_same_v<Geometry, Torus_geometry>) {
+      const std::optional<Eigen::Matrix2i> marking = marking_of(levels_.mesh, geometry_, full_);
+      if (!marking) return false;
+      geometry_.transform(levels_.mesh, *marking, Point(0, 0));
+      geometry_.set_metric(source_.lift().mean_metric());
+    }
+    return true;
   }
 
   // The map of the source that it came with, turned so that the landmarks are next to where they have to go.
@@ -185,49 +209,48 @@ private:
     }
   }
 
-  // Tries rotations of the coarse layout, relaxes the most promising ones against the target, and keeps the best.
+  // Tries alignments of the coarse layout, relaxes the most promising ones against the target, and keeps the best.
   template <class Progress>
   void search(Registration_course& course, const Progress& progress)
   {
-    const int n = layout_.number_of_vertices();
-    std::vector<Point> unturned(n);
-    for (int v = 0; v < n; ++v) unturned[v] = geometry_.position(v);
+    const Alignments<Geometry> alignments(geometry_, source_.lift(), lift_);
+    using Scored = Scored_alignment<typename Alignments<Geometry>::Alignment>;
     layout_.set_stage(Stage::CHORDAL);
-    const auto turn = [&](const Eigen::Matrix3d& m) {
-      for (int v = 0; v < n; ++v) geometry_.set_position(v, (m * unturned[v]).normalized());
-    };
-    const std::function<double(const Eigen::Matrix3d&)> score = [&](const Eigen::Matrix3d& m) {
-      turn(m);
+    const auto score = [&](const auto& alignment) {
+      alignments.apply(geometry_, levels_.mesh, alignment);
       layout_.lift_all();
-      return layout_.chordal_mean(true);
+      return layout_.composed().chordal_mean(true);
     };
-    std::vector<Scored_rotation> all, with_landmarks;
-    for (const Eigen::Matrix3d& m : rotations_all_over()) {
-      all.push_back({m, score(m)});
-      with_landmarks.push_back({m, all.back().score + 5 * landmark_distance()});
-      progress(0.1 * static_cast<double>(all.size()) / 2304);
+    std::vector<Scored> all, with_landmarks;
+    const auto candidates_of_search = alignments.all();
+    for (const auto& a : candidates_of_search) {
+      all.push_back({a, score(a)});
+      with_landmarks.push_back({a, all.back().score + 5 * landmark_distance()});
+      progress(0.1 * static_cast<double>(all.size()) / static_cast<double>(candidates_of_search.size()));
     }
-    std::vector<Scored_rotation> best = best_apart(std::move(all), landmarks_.empty() ? 16 : 8);
+    std::vector<Scored> best = best_apart(alignments, std::move(all), landmarks_.empty() ? 16 : 8);
     if (!landmarks_.empty())
-      for (const Scored_rotation& r : best_apart(std::move(with_landmarks), 8)) best.push_back(r);
-    for (Scored_rotation& r : best) descend(r, score);
+      for (const Scored& r : best_apart(alignments, std::move(with_landmarks), 8)) best.push_back(r);
+    for (Scored& r : best) descend(alignments, r, score);
 
     // Each a little, and of these the best ones to the end.
     std::vector<Candidate> candidates;
-    for (const Scored_rotation& r : best) {
-      turn(r.rotation);
+    for (const Scored& r : best) {
+      alignments.apply(geometry_, levels_.mesh, r.alignment);
       candidates.push_back(relaxed(15));
       progress(0.1 + 0.05 * static_cast<double>(candidates.size()) / static_cast<double>(best.size()));
     }
     std::stable_sort(candidates.begin(), candidates.end());
-    candidates.resize((std::min)(candidates.size(), std::size_t(5)));
+    candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>((std::min)(candidates.size(), std::size_t(5))),
+                     candidates.end());
     for (Candidate& c : candidates) {
-      set_positions(c.positions);
+      geometry_ = c.geometry;
       c = relaxed(45);
       course.rotations.push_back(c.energy);
     }
     const Candidate& chosen = *std::min_element(candidates.begin(), candidates.end());
-    set_positions(chosen.positions);
+    geometry_ = chosen.geometry;
+    layout_.update_mesh();
     is_exact_ = chosen.is_exact;
     layout_.set_stage(Stage::DOMAIN);
   }
@@ -236,11 +259,12 @@ private:
   struct Candidate {
     bool is_exact;
     double energy; // mean logarithm
-    std::vector<Point> positions;
+    Geometry geometry;
     bool operator<(const Candidate& o) const { return is_exact != o.is_exact ? is_exact : energy < o.energy; }
   };
   Candidate relaxed(int times)
   {
+    layout_.update_mesh();
     is_exact_ = true;
     if (!landmarks_.empty()) {
       for (const auto& l : landmarks_) layout_.freeze(l.vertex, false);
@@ -248,13 +272,7 @@ private:
     }
     layout_.set_stage(Stage::CHORDAL);
     if (is_exact_) layout_.sweep(times);
-    Candidate c{is_exact_, layout_.chordal_mean(true), {}};
-    for (int v = 0; v < layout_.number_of_vertices(); ++v) c.positions.push_back(geometry_.position(v));
-    return c;
-  }
-  void set_positions(const std::vector<Point>& positions)
-  {
-    for (int v = 0; v < static_cast<int>(positions.size()); ++v) geometry_.set_position(v, positions[v]);
+    return {is_exact_, layout_.composed().chordal_mean(true), geometry_};
   }
 
   // The mean distance of the images of the landmarks from their goals, on the target of radius about 1.
@@ -264,13 +282,14 @@ private:
     for (const auto& l : landmarks_) {
       Eigen::Vector3d goal;
       lift_.locate(l.target, 0, goal);
-      sum += (layout_.image(l.vertex) - goal).norm() / 4;
+      sum += (layout_.composed().image(l.vertex) - goal).norm() / 4;
     }
     return landmarks_.empty() ? 0 : sum / static_cast<double>(landmarks_.size());
   }
 
-  Geometry geometry_;
+  const Registered_surface<Geometry>& source_;
   Surface_levels<Geometry> levels_;
+  Geometry& geometry_;
   const Lift<Geometry>& lift_;
   Layout layout_;
   Registration_options options_;

@@ -16,9 +16,11 @@
 #include <CGAL/Simple_manifolds/registration/internal/Registration_domain.h>
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -96,6 +98,22 @@ public:
     return Differential(cell.moved, cell.gradient_sum, offset(found, p), found.area);
   }
 
+  // The metric of the surface in the coordinates of a flat domain, on the average, with determinant 1.
+  Eigen::Matrix2d mean_metric() const
+  {
+    Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+    for (const Cell& cell : cells_) {
+      const double area = cell.constant; // in the domain, twice
+      if (!(area > 0)) continue;
+      const Derivative J = cell.moved / area;
+      const Eigen::Matrix2d metric = J.transpose() * J;
+      sum += area / (1 + metric.trace()) * metric; // faces with next to no area there say little
+    }
+    const double determinant = sum.determinant();
+    if (!(determinant > 0 && std::isfinite(determinant))) return Eigen::Matrix2d::Identity();
+    return sum / std::sqrt(determinant);
+  }
+
 private:
   // Faces that are neighbours in space are to be neighbours in memory.
   static std::vector<Triangle> sorted(const std::vector<Triangle>& faces,
@@ -137,8 +155,8 @@ private:
     return {cell.constant + cell.gradient[0].dot(x), cell.gradient[1].dot(x), cell.gradient[2].dot(x)};
   }
 
-  // Crosses sides that have p outside until there is none; the order is scrambled, since a fixed one can walk in
-  // circles.
+  // Crosses sides that have p outside until there is none, but for those of the border; the order is scrambled, since a
+  // fixed one can walk in circles.
   Found find(const Point& p, int f) const
   {
     std::uint32_t random = 2463534242u;
@@ -150,8 +168,15 @@ private:
       random ^= random >> 17;
       random ^= random << 5;
       int exit = static_cast<int>(random % 3); // the corner opposite to the side
-      for (int i = 0; i < 3 && !(w[exit] < -1e-15); ++i) exit = exit == 2 ? 0 : exit + 1;
-      f = opposite_[3 * f + (exit == 2 ? 0 : exit + 1)] / 3;
+      int next = -1;
+      for (int i = 0; i < 3 && next < 0; ++i, exit = exit == 2 ? 0 : exit + 1)
+        if (w[exit] < -1e-15) next = opposite_[3 * f + (exit == 2 ? 0 : exit + 1)];
+      if (next < 0) {
+        const double sum = w[0] + w[1] + w[2];
+        if (sum > 0) return {f, sum};
+        break;
+      }
+      f = next / 3;
     }
     return nearest(p);
   }

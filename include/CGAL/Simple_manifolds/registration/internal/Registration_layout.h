@@ -12,10 +12,12 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Distortion_energy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Indexed_landmark.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Star.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/lay_out.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/star_placement.h>
 #include <CGAL/Simple_manifolds/internal/Star_kernel.h>
+#include <CGAL/Simple_manifolds/internal/bounding_cube.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
-#include <CGAL/Simple_manifolds/registration/internal/Composed_energy.h>
-#include <CGAL/Simple_manifolds/registration/internal/Lift.h>
+#include <CGAL/Simple_manifolds/registration/internal/Composed_stars.h>
 
 #include <Eigen/Core>
 
@@ -50,11 +52,12 @@ public:
   // domain, as have those of the lift.
   Registration_layout(Collapse_hierarchy& mesh, Geometry& geometry, const Lift<Geometry>& lift,
                       std::vector<Eigen::Vector3d> positions, double shape_floor, bool is_parallel)
-    : mesh_(mesh), geometry_(geometry), lift_(lift), positions_(std::move(positions)),
-      shape_floor_(shape_floor), is_parallel_(is_parallel), image_(positions_.size()),
-      face_(positions_.size(), 0), is_frozen_(positions_.size(), 0), failures_(positions_.size(), 0),
-      rest_(positions_.size(), 0), goal_weight_(positions_.size(), 0), goal_(positions_.size()),
-      order_(morton_order(normalized_points(positions_)))
+    : mesh_(mesh), geometry_(geometry),
+      composed_(mesh, geometry, lift, std::move(positions), shape_floor, is_parallel),
+      is_parallel_(is_parallel), is_frozen_(mesh.number_of_vertices(), 0),
+      failures_(mesh.number_of_vertices(), 0), rest_(mesh.number_of_vertices(), 0),
+      goal_weight_(mesh.number_of_vertices(), 0), goal_(mesh.number_of_vertices()),
+      order_(morton_order(normalized_points(composed_.positions())))
   {
     // By levels, and in each along Morton's curve: the target is asked at neighbouring places.
     std::vector<int> level(order_.size(), 0);
@@ -64,20 +67,15 @@ public:
   }
 
   int number_of_vertices() const { return mesh_.number_of_active_vertices(); }
-  const Eigen::Vector3d& image(int v) const { return image_[v]; }
+  const Composed_stars<Geometry>& composed() const { return composed_; }
 
   void set_stage(Stage stage)
   {
     stage_ = stage;
-    if (stage != Stage::DOMAIN) lift_all();
-    if (stage == Stage::POINTWISE) {
-      sample_face_.resize(Pointwise_energy::number_of_points * area_.size());
-      for (int v = 0; v < number_of_vertices(); ++v)
-        std::fill_n(sample_face_.begin() +
-                      Pointwise_energy::number_of_points * (stars_.sectors(v) - stars_.sectors(0)),
-                    Pointwise_energy::number_of_points * stars_.degree(v), face_[v]);
-    }
+    if (stage != Stage::DOMAIN) composed_.lift_all();
+    if (stage == Stage::POINTWISE) composed_.guess_faces_of_points();
   }
+  void lift_all() { composed_.lift_all(); }
   void freeze(int v, bool is_frozen) { is_frozen_[v] = is_frozen; }
   // The vertex is drawn to p with the energy weight * |p - position|^2; weight 0: it is not.
   void draw(int v, const Point& p, double weight)
@@ -87,26 +85,8 @@ public:
   }
   void forget_goals() { std::fill(goal_weight_.begin(), goal_weight_.end(), 0.); }
 
-  // The active mesh has changed.
-  void update_mesh()
-  {
-    set_targets();
-    stars_.build(is_parallel_, mesh_, geometry_, targets_);
-    const int n = number_of_vertices();
-    const Corner_table& t = mesh_.table();
-    neighbour_.resize(3 * static_cast<std::size_t>(mesh_.number_of_active_faces()));
-    area_.resize(neighbour_.size());
-    const auto* first = stars_.sectors(0);
-    parallel_for(is_parallel_, 0, n, [&](int begin, int end) {
-      for (int v = begin; v < end; ++v) {
-        std::size_t i = stars_.sectors(v) - first;
-        t.for_each_outgoing(t.outgoing(v), [&](int h) {
-          neighbour_[i] = t.target(h);
-          area_[i++] = flat_area_[h / 3];
-        });
-      }
-    });
-  }
+  // The active mesh, or the geometry, has changed.
+  void update_mesh() { composed_.update_mesh(); }
 
   // Places the vertices from `first` on, which have just come back, and relaxes each a little. False if rounding
   // leaves no place for one.
@@ -118,7 +98,7 @@ public:
     for (int v = first; v < n; ++v)
       if (!place(v, star, kernel)) return false;
     if (stage_ != Stage::DOMAIN)
-      for (int v = first; v < n; ++v) face_[v] = lift_.locate(geometry_.position(v), face_[v], image_[v]);
+      for (int v = first; v < n; ++v) composed_.lift(v);
     parallel_for(is_parallel_, first, n, [&](int begin, int end) {
       Star local;
       for (int v = begin; v < end; ++v)
@@ -148,7 +128,7 @@ public:
     constexpr double much = 10;
     constexpr int rings = 3, sweeps_of_a_choice = 10;
     for (int done = 0; done < times; done += sweeps_of_a_choice) {
-      const std::vector<int> chosen = round_faces_above(much, rings);
+      const std::vector<int> chosen = composed_.round_faces_above(much, rings);
       if (chosen.empty()) return;
       for (int i = 0; i < sweeps_of_a_choice; ++i) {
         auto first = chosen.begin();
@@ -168,150 +148,40 @@ public:
     }
   }
 
-  // Brings the vertex to the point, or as near to it as its star allows; whether it is there.
+  // Brings the vertex to the point, or as near to it as its star allows; whether it is there. A vertex of a side stays on
+  // it.
   bool drag(int v, const Point& goal, Star& star)
   {
-    star.gather(geometry_, stars_, v, false);
-    const Point d = Domain::difference(star.position, goal);
+    composed_.gather(star, v);
+    const int dof = geometry_.degrees_of_freedom(v);
+    if (dof < 2) {
+      const Eigen::Vector2d d = goal.template head<2>() - star.position.template head<2>();
+      const Eigen::Vector2d side = geometry_.side_direction(v);
+      if (dof == 0 ? d != Eigen::Vector2d(0, 0) : d[0] * side[1] != d[1] * side[0]) return false;
+    }
+    const Point there = Domain::copy_at(star.position, goal), d = there - star.position;
     double t = 1;
     for (int i = 0; i < 12; ++i, t *= 0.6) {
-      const Point q = i == 0 ? goal : Domain::moved(star.position, t * d);
+      const Point q = i == 0 ? there : Domain::moved(star.position, t * d);
       // A vertex that is there stays there, with what margin it has; on the way there is to be some.
       if (!has_margin(star, q, i == 0 ? 1e-8 : 1e-2)) continue;
       geometry_.set_position(v, q);
-      if (stage_ != Stage::DOMAIN) face_[v] = lift_.locate(q, face_[v], image_[v]);
+      if (stage_ != Stage::DOMAIN) composed_.lift(v);
       return i == 0;
     }
     return false;
   }
 
-  // Mean over the active faces of the chordal energy, or of its logarithm, which few bad faces do not rule: 1, or 0, for
-  // an isometry.
-  double chordal_mean(bool is_logarithm) const
-  {
-    double sum = 0, weight = 0;
-    for (int f = 0; f < mesh_.number_of_active_faces(); ++f) {
-      const auto v = mesh_.table().face(f);
-      const typename Star::Table::Sector s = {targets_[f].quarter_cot[0], targets_[f].quarter_cot[1],
-                                              targets_[f].quarter_cot[2], targets_[f].area};
-      const Image_triangle t(s, image_[v[1]] - image_[v[0]], image_[v[2]] - image_[v[0]],
-                             least_area(flat_area_[f]));
-      const double e = Chordal_energy::value(t, flat_area_[f]) / flat_area_[f] / 2;
-      sum += s.area * (is_logarithm ? std::log(e) : e);
-      weight += s.area;
-    }
-    return sum / weight;
-  }
-
-  // The mean of the pointwise energy at the points of the active faces, 1 for an isometry.
-  double pointwise_mean() const
-  {
-    double sum = 0, weight = 0;
-    for (int f = 0; f < mesh_.number_of_active_faces(); ++f) {
-      sum += targets_[f].area * pointwise_of_face(f);
-      weight += targets_[f].area;
-    }
-    return sum / weight;
-  }
-
-  void lift_all()
-  {
-    parallel_for(is_parallel_, 0, number_of_vertices(), [&](int begin, int end) {
-      for (int v = begin; v < end; ++v) face_[v] = lift_.locate(geometry_.position(v), face_[v], image_[v]);
-    });
-  }
-
 private:
-  // The mean of the pointwise energy at the points of a face.
-  double pointwise_of_face(int f) const
-  {
-    const auto v = mesh_.table().face(f);
-    const Point p = geometry_.position(v[0]);
-    const Point a = Domain::difference(p, geometry_.position(v[1])),
-                b = Domain::difference(p, geometry_.position(v[2]));
-    const auto& cot = targets_[f].quarter_cot;
-    const typename Star::Table::Sector s = {cot[0], cot[1], cot[2], targets_[f].area};
-    double sum = 0;
-    int hint = face_[v[0]];
-    for (const auto& beta : Pointwise_energy::points) {
-      const auto L = lift_.differential(Domain::moved(p, beta[1] * a + beta[2] * b), hint);
-      const Image_triangle t(s, L(a), L(b), least_area(flat_area_[f]));
-      sum += Pointwise_energy::value(t, flat_area_[f]) / flat_area_[f] / 2;
-    }
-    return sum / Pointwise_energy::number_of_points;
-  }
-
-  // The vertices of faces with more energy, and those up to so many edges from them, in increasing order.
-  std::vector<int> round_faces_above(double energy, int rings) const
-  {
-    std::vector<char> is_chosen(number_of_vertices(), false);
-    std::vector<int> chosen;
-    const auto choose = [&](int v) {
-      if (is_chosen[v]) return;
-      is_chosen[v] = true;
-      chosen.push_back(v);
-    };
-    for (int f = 0; f < mesh_.number_of_active_faces(); ++f)
-      if (pointwise_of_face(f) > energy)
-        for (const int v : mesh_.table().face(f)) choose(v);
-    for (std::size_t begin = 0; rings > 0; --rings) {
-      const std::size_t end = chosen.size();
-      for (; begin < end; ++begin) mesh_.for_each_neighbour(chosen[begin], choose);
-    }
-    std::sort(chosen.begin(), chosen.end());
-    return chosen;
-  }
-
-  static double least_area(double area) { return 1e-12 * area; }
-
-  // Shapes from the positions in space, areas from the masses that the corners have collected.
-  void set_targets()
-  {
-    const Corner_table& t = mesh_.table();
-    const bool is_finest = mesh_.level() == mesh_.number_of_levels();
-    const int faces = mesh_.number_of_active_faces();
-    targets_.resize(faces);
-    flat_area_.resize(faces);
-    parallel_for(is_parallel_, 0, faces, [&](int first, int last) {
-      for (int f = first; f < last; ++f) {
-        const auto v = t.face(f);
-        const Eigen::Vector3d &p = positions_[v[0]], a = positions_[v[1]] - p, b = positions_[v[2]] - p;
-        targets_[f].quarter_cot =
-          quarter_cotangents(positions_[v[0]], positions_[v[1]], positions_[v[2]], shape_floor_);
-        double area = 0;
-        if (is_finest)
-          area = mesh_.face_area(f);
-        else
-          for (const int w : v) area += mesh_.mass(w) / mesh_.number_of_real_faces(w);
-        targets_[f].area = static_cast<float>(area);
-        const double lengths = a.squaredNorm() + b.squaredNorm() + (b - a).squaredNorm();
-        flat_area_[f] = static_cast<float>((std::max)(0.5 * a.cross(b).norm(), 1e-3 * lengths) + 1e-30);
-      }
-    });
-  }
-
   bool place(int v, Star& star, Star_kernel& kernel)
   {
-    star.gather(geometry_, stars_, v, false);
-    const int merged_into = mesh_.table().target(mesh_.collapse_half_edge(v));
-    face_[v] = face_[merged_into];
-    const Point origin = geometry_.position(merged_into);
-    const auto chart = geometry_.chart(origin, star.ring);
-    kernel.reset(chart.bound);
-    for (int i = 0; i < star.number_of_sectors(); ++i)
-      kernel.clip(chart.half_plane(star.ring[i], star.ring[i + 1]));
-    if (kernel.is_empty()) return false;
-    Eigen::Vector2d inside = kernel.centroid();
-    const auto try_position = [&](const Point& p) {
+    composed_.gather(star, v);
+    composed_.guess_face(v, composed_.face(mesh_.table().target(mesh_.collapse_half_edge(v))));
+    return place_in_kernel(geometry_, mesh_, v, star, kernel, [&](const Point& p) {
       if (!has_margin(star, p, 1e-12)) return false;
       geometry_.set_position(v, p);
       return true;
-    };
-    if (try_position(chart.point(inside))) return true;
-    inside = kernel.vertex_average();
-    for (int k = 0; k < 40; ++k, inside /= 2) // the kernel is convex and has the origin on its border
-      if (try_position(chart.point(inside))) return true;
-    return false;
+    });
   }
 
   // Whether every face is positive with the vertex at q, with angles there of a sine above `margin`.
@@ -325,6 +195,11 @@ private:
       a = b;
     }
     return true;
+  }
+
+  static bool has_edges(const Star& star, const Point& q)
+  {
+    return std::all_of(star.ring.begin(), star.ring.end(), [&](const Point& r) { return Domain::is_edge(r - q); });
   }
 
   double radius(const Star& star) const
@@ -343,103 +218,41 @@ private:
     const double infinite = std::numeric_limits<double>::infinity();
     double sum = 0;
     if (stage_ == Stage::POINTWISE) {
-      if (!has_margin(star, q, 1e-12)) return infinite;
-      sum = pointwise(v, star, q, nullptr, bound);
+      if (!has_margin(star, q, 1e-12) || !has_edges(star, q)) return infinite;
+      sum = composed_.pointwise(v, star, q, nullptr, bound);
     } else {
       sum = star.energy(geometry_, domain_energy(), q);
       if (!(sum < infinite)) return infinite;
-      if (stage_ == Stage::CHORDAL) sum = guard_weight * sum + chordal(v, star, y, nullptr, nullptr);
+      if (stage_ == Stage::CHORDAL) sum = guard_weight * sum + composed_.chordal(v, star, y, nullptr, nullptr);
     }
     if (goal_weight_[v] > 0) sum += goal_weight_[v] * geometry_.squared_distance(q, goal_[v]);
     return sum;
   }
 
-  // Adds the derivatives to the model, where there is one.
-  double chordal(int v, const Star& star, const Eigen::Vector3d& y, Quadratic_model* m,
-                 const Eigen::Matrix<double, 3, 2>* J) const
-  {
-    const std::size_t first = stars_.sectors(v) - stars_.sectors(0);
-    const int d = star.number_of_sectors();
-    const Eigen::Matrix2d gram = J ? Eigen::Matrix2d(J->transpose() * *J) : Eigen::Matrix2d::Zero();
-    double sum = 0;
-    Eigen::Vector3d u = image_[neighbour_[first]] - y;
-    for (int i = 0; i < d; ++i) {
-      const Eigen::Vector3d w = image_[neighbour_[first + (i + 1 < d ? i + 1 : 0)]] - y;
-      const auto& s = star.sectors[i];
-      const double area = area_[first + i], weight = s.area / area;
-      const Image_triangle t(s, u, w, least_area(area));
-      sum += weight * Chordal_energy::value(t, area);
-      if (m) t.add(*m, s, Chordal_energy::derivatives(t, area, weight), *J, gram);
-      u = w;
-    }
-    return sum;
-  }
-
-  double pointwise(int v, const Star& star, const Point& p, Quadratic_model* m,
-                   double bound = (std::numeric_limits<double>::max)())
-  {
-    const std::size_t first = stars_.sectors(v) - stars_.sectors(0);
-    int* hint = &sample_face_[first * Pointwise_energy::number_of_points];
-    const auto frame = Domain::frame(p);
-    double sum = 0;
-    Point a = star.ring[0] - p;
-    for (int i = 0; i < star.number_of_sectors() && sum <= bound; ++i) {
-      const Point b = star.ring[i + 1] - p;
-      const auto& s = star.sectors[i];
-      const double area = area_[first + i], weight = s.area / area / Pointwise_energy::number_of_points;
-      for (const auto& beta : Pointwise_energy::points) {
-        const auto L = lift_.differential(Domain::moved(p, beta[1] * a + beta[2] * b), *hint++);
-        const Image_triangle t(s, L(a), L(b), least_area(area));
-        sum += weight * Pointwise_energy::value(t, area);
-        if (m) {
-          Eigen::Matrix<double, 3, 2> J;
-          J << L(frame.col(0)), L(frame.col(1));
-          t.add(*m, s, Pointwise_energy::derivatives(t, area, weight), J, J.transpose() * J);
-        }
-      }
-      a = b;
-    }
-    return sum;
-  }
-
-  // The derivative of the lift round v, by differences over a part of its star: the target may be finer than it.
-  Eigen::Matrix<double, 3, 2> lift_derivative(int v, const Star& star, double star_radius) const
-  {
-    const auto frame = Domain::frame(star.position);
-    const double h = (std::max)(1e-9, 0.075 * star_radius);
-    Eigen::Matrix<double, 3, 2> J;
-    for (int k = 0; k < 2; ++k) {
-      Eigen::Vector3d forward, backward;
-      lift_.locate(Domain::moved(star.position, h * frame.col(k)), face_[v], forward);
-      lift_.locate(Domain::moved(star.position, -h * frame.col(k)), face_[v], backward);
-      J.col(k) = (forward - backward) / (2 * h);
-    }
-    return J;
-  }
-
   // One Newton step for v alone, over-relaxed, with a line search that stays valid.
   void relax(int v, Star& star)
   {
-    if (is_frozen_[v]) return;
+    const int dof = is_frozen_[v] || v == mesh_.apex() ? 0 : geometry_.degrees_of_freedom(v);
+    if (dof == 0) return;
     if (rest_[v] > 0) {
       --rest_[v];
       return;
     }
-    star.gather(geometry_, stars_, v, false);
+    composed_.gather(star, v);
     const double star_radius = radius(star);
     Quadratic_model m;
     if (stage_ == Stage::POINTWISE) {
-      m.value = pointwise(v, star, star.position, &m);
+      m.value = composed_.pointwise(v, star, star.position, &m);
     } else {
       m = geometry_.model(star, domain_energy());
       if (stage_ == Stage::CHORDAL) {
         for (double* x : {&m.value, &m.g0, &m.g1, &m.h00, &m.h01, &m.h11}) *x *= guard_weight;
-        const auto J = lift_derivative(v, star, star_radius);
-        m.value += chordal(v, star, image_[v], &m, &J);
+        const auto J = composed_.lift_derivative(v, star, star_radius);
+        m.value += composed_.chordal(v, star, composed_.image(v), &m, &J);
       }
     }
     if (goal_weight_[v] > 0) geometry_.attract(m, star.position, goal_[v], goal_weight_[v]);
-    Eigen::Vector2d step = geometry_.newton_step(m);
+    Eigen::Vector2d step = dof == 2 ? geometry_.newton_step(m) : step_along_side(geometry_, v, m);
     if (!step.allFinite()) return;
     if (stage_ != Stage::DOMAIN) step = limited(step, (stage_ == Stage::CHORDAL ? 2 : 1) * star_radius);
     const double slope = step[0] * m.g0 + step[1] * m.g1;
@@ -448,15 +261,14 @@ private:
     const int trials = stage_ == Stage::POINTWISE ? 5 : 9;
     for (int i = 0; i < trials; ++i, scale /= 2) {
       const Point q = geometry_.moved(star, scale * step);
-      Eigen::Vector3d y = image_[v];
-      int f = face_[v];
-      if (stage_ == Stage::CHORDAL) f = lift_.locate(q, f, y);
+      Eigen::Vector3d y = composed_.image(v);
+      int f = composed_.face(v);
+      if (stage_ == Stage::CHORDAL) f = composed_.locate(q, f, y);
       const double bound = m.value + 1e-4 * scale * slope;
       if (energy(v, star, q, y, bound) <= bound) {
         geometry_.set_position(v, q);
-        if (stage_ == Stage::POINTWISE) f = lift_.locate(q, f, y);
-        image_[v] = y;
-        face_[v] = f;
+        if (stage_ == Stage::POINTWISE) f = composed_.locate(q, f, y);
+        composed_.set_image(v, y, f);
         failures_[v] = 0;
         return;
       }
@@ -481,25 +293,15 @@ private:
 
   Collapse_hierarchy& mesh_;
   Geometry& geometry_;
-  const Lift<Geometry>& lift_;
-  std::vector<Eigen::Vector3d> positions_; // of the source in space
-  double shape_floor_;
+  Composed_stars<Geometry> composed_;
   bool is_parallel_;
   Stage stage_ = Stage::DOMAIN;
   Distortion_energy own_{Map_options()}, guard_{guard_options()};
-  std::vector<Eigen::Vector3d> image_; // per vertex, on the target
-  std::vector<int> face_;              // of the target, that has it
   std::vector<char> is_frozen_;
   std::vector<char> failures_, rest_; // steps that failed in a row, and sweeps until the next one
   std::vector<double> goal_weight_;   // 0: none
   std::vector<Point> goal_;
   std::vector<int> order_;           // in which the vertices are relaxed
-  std::vector<Face_target> targets_; // of the active faces
-  std::vector<float> flat_area_;     // of the active faces in space
-  typename Star::Table stars_;       // of the active vertices
-  std::vector<int> neighbour_;       // per sector of the stars: its first neighbour
-  std::vector<int> sample_face_;     // per point of a sector: where it was on the target, pointwise
-  std::vector<float> area_;          // and the area in space of its face
 };
 
 } // namespace internal

@@ -25,9 +25,9 @@ class Registration_polish {
 public:
   Registration_polish(const Registered_surface<Geometry>& source, const std::vector<int>& frozen,
                       const Registration_options& options)
-    : geometry_(static_cast<int>(source.points.size())),
-      levels_(source, geometry_, {}, options.area_floor, options.is_parallel),
-      positions_(levels_.numbered(source.positions)), frozen_(frozen), options_(options)
+    : levels_(source, {}, options.area_floor, options.is_parallel),
+      positions_(levels_.numbered(source.positions, Eigen::Vector3d(0, 0, 0))), frozen_(frozen),
+      options_(options)
   {
     while (levels_.mesh.level() < levels_.mesh.number_of_levels()) levels_.mesh.refine([](int) {});
   }
@@ -37,21 +37,24 @@ public:
   double run(Registered_surface<Geometry>& source, const Lift<Geometry>& target, int sweeps,
              int sweeps_of_worst = 0)
   {
+    Geometry& geometry = levels_.geometry;
     const int n = static_cast<int>(source.domain_points.size());
-    for (int v = 0; v < n; ++v) geometry_.set_position(levels_.number(v), source.domain_points[v]);
-    Registration_layout<Geometry> layout(levels_.mesh, geometry_, target, positions_, options_.shape_floor,
+    for (int v = 0; v < n; ++v) geometry.set_position(levels_.number(v), source.domain_points[v]);
+    Registration_domain<Geometry>::develop(geometry, levels_.mesh);
+    Registration_layout<Geometry> layout(levels_.mesh, geometry, target, positions_, options_.shape_floor,
                                          options_.is_parallel);
     layout.update_mesh();
     for (const int v : frozen_) layout.freeze(levels_.number(v), true);
     layout.set_stage(Registration_layout<Geometry>::Stage::POINTWISE);
     layout.sweep(sweeps);
     layout.sweep_worst(sweeps_of_worst);
-    for (int v = 0; v < n; ++v) source.domain_points[v] = geometry_.position(levels_.number(v));
-    return layout.pointwise_mean();
+    const double mean = layout.composed().pointwise_mean();
+    geometry.start_level(levels_.mesh); // on the torus it takes the copies that are domain points
+    for (int v = 0; v < n; ++v) source.domain_points[v] = geometry.position(levels_.number(v));
+    return mean;
   }
 
 private:
-  Geometry geometry_;
   Surface_levels<Geometry> levels_;
   std::vector<Eigen::Vector3d> positions_;
   std::vector<int> frozen_;

@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Collapse_hierarchy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Distortion_energy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Star.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/star_placement.h>
 #include <CGAL/Simple_manifolds/internal/Star_kernel.h>
 
 #include <algorithm>
@@ -143,30 +144,8 @@ private:
   bool place(int v, Star& star, Star_kernel& kernel)
   {
     star.gather(geometry_, stars_, v, mesh_.is_on_border(v));
-    // Half-planes of the edges at the vertex that v was merged into pass exactly through the origin.
-    const Point origin = geometry_.position(mesh_.table().target(mesh_.collapse_half_edge(v)));
-    const auto chart = geometry_.chart(origin, star.ring);
-    Eigen::Vector2d inside;
-    if (geometry_.degrees_of_freedom(v) == 1) {
-      const Point& other_end = star.ring.front() == origin ? star.ring.back() : star.ring.front();
-      Interval_kernel interval(chart.direction_to(other_end), 1);
-      for (int i = 0; i < star.number_of_sectors(); ++i)
-        interval.clip(chart.half_plane(star.ring[i], star.ring[i + 1]));
-      if (interval.is_empty()) return false;
-      inside = interval.middle();
-    } else {
-      kernel.reset(chart.bound);
-      for (int i = 0; i < star.number_of_sectors(); ++i)
-        kernel.clip(chart.half_plane(star.ring[i], star.ring[i + 1]));
-      if (kernel.is_empty()) return false;
-      inside = kernel.centroid();
-      if (try_position(v, star, chart.point(inside))) return true;
-      inside = kernel.vertex_average();
-    }
-    // The kernel is convex and has the origin on its border: the segment to any of its points is inside.
-    for (int k = 0; k < 40; ++k, inside /= 2)
-      if (try_position(v, star, chart.point(inside))) return true;
-    return false;
+    return place_in_kernel(geometry_, mesh_, v, star, kernel,
+                           [&](const Point& p) { return try_position(v, star, p); });
   }
 
   bool try_position(int v, const Star& star, const Point& p)
@@ -210,15 +189,7 @@ private:
     const Indexed_landmark<Point>* landmark =
       landmark_of_.empty() || landmark_of_[v] < 0 ? nullptr : &landmarks_[landmark_of_[v]];
     if (landmark) geometry_.attract(m, star.position, landmark->target, landmark->weight);
-    Eigen::Vector2d step;
-    if (dof == 2) {
-      step = geometry_.newton_step(m);
-    } else {
-      const Eigen::Vector2d d = geometry_.side_direction(v);
-      const double g = d[0] * m.g0 + d[1] * m.g1;
-      const double h = d[0] * d[0] * m.h00 + 2 * d[0] * d[1] * m.h01 + d[1] * d[1] * m.h11;
-      step = limited(d * (-g / (std::max)(h, 1e-6 * (std::abs(m.h00) + std::abs(m.h11)))), 0.25);
-    }
+    const Eigen::Vector2d step = dof == 2 ? geometry_.newton_step(m) : step_along_side(geometry_, v, m);
     const double slope = step[0] * m.g0 + step[1] * m.g1;
     if (!(slope < 0)) return;
     double scale = over_relaxation;

@@ -67,7 +67,7 @@ public:
   const Sector* sectors(int v) const { return sector_.data() + offset_[v]; }
   int degree(int v) const { return offset_[v + 1] - offset_[v]; }
 
-private:
+  // The half-edge to the first neighbour.
   static int first_half_edge(const Collapse_hierarchy& mesh, int v)
   {
     const Corner_table& t = mesh.table();
@@ -79,6 +79,7 @@ private:
     return h;
   }
 
+private:
   std::vector<int> offset_;
   std::vector<Neighbour> neighbour_;
   std::vector<Sector> sector_;

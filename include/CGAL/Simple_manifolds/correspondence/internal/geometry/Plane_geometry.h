@@ -124,6 +124,13 @@ public:
     }
     return true;
   }
+  // Turns the square by a right angle, counterclockwise.
+  void turn()
+  {
+    for (Point& p : position_) p = Point(1 - p[1], p[0]);
+    for (unsigned char& s : sides_) s = static_cast<unsigned char>((s << 1 | s >> 3) & 15);
+  }
+
   void start_level(const Collapse_hierarchy&) {}
   void restore(const Corner_table&, int) {}
   bool update_metric(const Collapse_hierarchy&, const std::vector<Face_target>&, const Distortion_energy&)

@@ -155,6 +155,44 @@ public:
     return mesh.number_of_active_vertices() < 20000 && reduce(mesh);
   }
 
+  // Every edge runs to the copy of its target that is nearest.
+  void join_nearest_copies(const Collapse_hierarchy& mesh)
+  {
+    const Corner_table& t = mesh.table();
+    for (int h = 0; h < 3 * mesh.number_of_active_faces(); ++h) {
+      const Point d = position_[t.target(h)] - position_[t.origin(h)];
+      deck_[h] = {static_cast<short>(-std::lround(d[0])), static_cast<short>(-std::lround(d[1]))};
+    }
+  }
+
+  // The metric that lengths are measured in. Precondition: of determinant 1
+  void set_metric(const Eigen::Matrix2d& m)
+  {
+    m00_ = m(0, 0);
+    m01_ = m(0, 1);
+    m11_ = m(1, 1);
+  }
+
+  // Maps the torus onto itself by p -> matrix * p + translation, and the metric with it. Precondition: the determinant is 1
+  void transform(const Collapse_hierarchy& mesh, const Eigen::Matrix2i& matrix, const Point& translation)
+  {
+    wrap(mesh);
+    const Eigen::Matrix2d m = matrix.cast<double>();
+    for (int v = 0; v < mesh.number_of_active_vertices(); ++v) position_[v] = m * position_[v];
+    for (int h = 0; h < 3 * mesh.number_of_active_faces(); ++h) {
+      const Deck d = deck_[h];
+      deck_[h] = {static_cast<short>(matrix(0, 0) * d.i + matrix(0, 1) * d.j),
+                  static_cast<short>(matrix(1, 0) * d.i + matrix(1, 1) * d.j)};
+    }
+    wrap(mesh);
+    for (int v = 0; v < mesh.number_of_active_vertices(); ++v) position_[v] = snapped(position_[v] + translation);
+    wrap(mesh);
+    Eigen::Matrix2d metric, inverse;
+    metric << m00_, m01_, m01_, m11_;
+    inverse << m(1, 1), -m(0, 1), -m(1, 0), m(0, 0);
+    set_metric(inverse.transpose() * metric * inverse);
+  }
+
   // Moves every vertex to its copy in [0,1)^2.
   void wrap(const Collapse_hierarchy& mesh)
   {
