@@ -5,7 +5,8 @@
 
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/IO/read_landmarks.h>
-#include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
+#include <CGAL/Simple_manifolds/registration/canonical_position.h>
 #include <CGAL/Simple_manifolds/registration/common_mesh.h>
 #include <CGAL/Simple_manifolds/registration/correspondence_distortion.h>
 #include <CGAL/Simple_manifolds/registration/register_shapes.h>
@@ -21,20 +22,26 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 using namespace tools;
 
 namespace {
 
-using Map = SM::Manifold_map<SM::Sphere_atlas>;
-using Shapes = SM::Shape_set<SM::Sphere_atlas>;
 using Positions = std::vector<Eigen::Vector3d>;
+
+// Whether shapes can be mapped to each other over that surface.
+template <class Atlas>
+constexpr bool has_registration =
+  std::is_same_v<Atlas, SM::Sphere_atlas> || std::is_same_v<Atlas, SM::Torus_atlas> ||
+  std::is_same_v<Atlas, SM::Plane_atlas>;
 
 struct Shape {
   Input input;
-  std::shared_ptr<const Map> map; // as map_to_sphere() makes it
+  SM::Any_map map; // in canonical position
 };
 
 // The files that are named, and all of a folder in the order of their names.
@@ -61,32 +68,38 @@ std::vector<std::string> files_of(const Command_line& options)
 
 Shape read_shape(const Command_line& options, const std::string& file, Stopwatch& watch, Progress& progress)
 {
-  Shape shape;
-  shape.input = watch.time("read", [&] { return read_input(options, file); });
-  shape.map = watch.time("map", [&] {
+  Input input = watch.time("read", [&] { return read_input(options, file); });
+  SM::Any_map map = watch.time("map", [&] {
     try {
-      return std::make_shared<const Map>(SM::map_to_sphere<CGAL::Parallel_if_available_tag>(
-        shape.input.mesh, SM::parameters::close_borders(close_borders(options)).visitor(std::ref(progress))));
+      return std::visit(
+        [](auto&& m) -> SM::Any_map {
+          using Map = SM::Manifold_map<typename std::decay_t<decltype(m)>::Atlas>;
+          if constexpr (has_registration<typename Map::Atlas>)
+            return SM::canonical_position(static_cast<Map&>(m));
+          return static_cast<Map&>(m);
+        },
+        SM::map_to_canonical_surface<CGAL::Parallel_if_available_tag>(
+          input.mesh, SM::parameters::close_borders(close_borders(options)).visitor(std::ref(progress))));
     } catch (const SM::Topology_error& e) {
       throw SM::Topology_error(e.code(), file + ": " + e.what(), e.element());
     }
   });
-  return shape;
+  return {std::move(input), std::move(map)};
 }
 
 // A landmark of a shape as a vertex of its map: a number of the file, or the vertex next to a point.
-std::size_t vertex_of(const Shape& shape, const SM::Landmark_place& place, double& distance)
+template <class Map>
+std::size_t vertex_of(const Input& input, const Map& map, const SM::Landmark_place& place, double& distance)
 {
-  const Map& map = *shape.map;
-  const std::vector<int> in_file = map.input_indices().within(shape.input.repair.input).vertices;
+  const std::vector<int> in_file = map.input_indices().within(input.repair.input).vertices;
   if (place.vertex >= 0) {
     const auto found = std::find(in_file.begin(), in_file.end(), static_cast<int>(place.vertex));
     const long long v = in_file.empty()          ? place.vertex
                         : found == in_file.end() ? -1
                                                  : found - in_file.begin();
     if (v < 0 || v >= static_cast<long long>(map.number_of_input_vertices()))
-      throw Usage_error("--landmarks: " + shape.input.file + " has no vertex " +
-                        std::to_string(place.vertex) + " in a face");
+      throw Usage_error("--landmarks: " + input.file + " has no vertex " + std::to_string(place.vertex) +
+                        " in a face");
     return static_cast<std::size_t>(v);
   }
   std::size_t best = 0;
@@ -124,12 +137,14 @@ std::vector<std::vector<std::size_t>> landmarks_of(const Command_line& options,
       continue;
     rows.emplace_back();
     for (std::size_t i = 0; i < shapes.size(); ++i)
-      rows.back().push_back(vertex_of(shapes[i], places[i], snapped));
+      rows.back().push_back(std::visit(
+        [&](const auto& map) { return vertex_of(shapes[i].input, map, places[i], snapped); }, shapes[i].map));
   }
   return rows;
 }
 
-Json metrics_of_pair(const Shapes& set, std::size_t i, std::size_t j,
+template <class Atlas>
+Json metrics_of_pair(const SM::Shape_set<Atlas>& set, std::size_t i, std::size_t j,
                      const std::vector<std::vector<std::size_t>>& landmarks)
 {
   const auto c = set.correspondence(i, j);
@@ -205,9 +220,10 @@ void write_mesh(const std::string& file, const std::vector<SM::Triangle>& faces,
 }
 
 // Where the vertices of a shape are on another one: faces and barycentric coordinates.
-void write_correspondence(const std::string& file, const SM::Correspondence<SM::Sphere_atlas>& c)
+template <class Atlas>
+void write_correspondence(const std::string& file, const SM::Correspondence<Atlas>& c)
 {
-  std::vector<Map::Location> at;
+  std::vector<typename SM::Manifold_map<Atlas>::Location> at;
   c.of_vertices(std::back_inserter(at));
   std::ofstream out(file);
   out.precision(17);
@@ -231,6 +247,91 @@ void write_landmark_table(const std::string& file, const Json& pairs,
   if (!out.flush()) throw SM::IO_error(SM::Error_code::cannot_write, file, "the file cannot be written");
 }
 
+// Registers shapes, all of which have maps over that surface, and writes all that the program writes.
+template <class Atlas>
+int map_over(const Command_line& options, const std::vector<Shape>& shapes,
+             const std::vector<std::vector<std::size_t>>& landmarks, double snapped,
+             SM::Atomic_folder& folder, Stopwatch& watch, Progress& progress)
+{
+  const std::string effort = options.get<std::string>("effort");
+  const bool is_quiet = options.get<bool>("quiet");
+  const std::size_t first = options.get<std::size_t>("template") - 1;
+  using Set = SM::Shape_set<Atlas>;
+  std::vector<std::shared_ptr<const SM::Manifold_map<Atlas>>> maps;
+  for (const Shape& shape : shapes) {
+    const auto* map = std::get_if<SM::Manifold_map<Atlas>>(&shape.map);
+    if (!map)
+      throw SM::Topology_error(
+        SM::Error_code::wrong_genus,
+        shape.input.file + ": its canonical surface, by its genus and borders, is another one than that of " +
+          shapes[0].input.file + ", the " + Atlas::name);
+    maps.push_back(std::make_shared<const SM::Manifold_map<Atlas>>(*map));
+  }
+  std::unique_ptr<const Set> set;
+  try {
+    watch.time("register", [&] {
+      set = std::make_unique<const Set>(SM::register_shapes<CGAL::Parallel_if_available_tag>(
+        maps, SM::parameters::landmark_rows(landmarks)
+                .template_shape(first)
+                .effort(effort == "fast"      ? SM::Effort::FAST
+                        : effort == "quality" ? SM::Effort::QUALITY
+                                              : SM::Effort::DEFAULT)
+                .visitor(std::ref(progress))));
+    });
+  } catch (const SM::Numeric_error& e) {
+    if (e.code() != SM::Error_code::landmarks_not_met) throw;
+    say("map_shapes", e.what());
+    return TOLERANCE_NOT_REACHED;
+  }
+
+  Json metrics = {{"shapes", Json::array()}, {"pairs", Json::array()}};
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    metrics["shapes"].push_back({{"input", metrics_of_input(shapes[i].input, set->map(i))},
+                                 {"repair", metrics_of_repair(shapes[i].input.repair)},
+                                 {"map", metrics_of_map(set->map(i), watch)}});
+  watch.time("measure", [&] {
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      for (std::size_t j = i + 1; j < shapes.size(); ++j)
+        metrics["pairs"].push_back(metrics_of_pair(*set, i, j, landmarks));
+  });
+  metrics["landmarks"] = {{"count", landmarks.size()}, {"largest_distance_of_points_from_vertices", snapped}};
+  metrics["parameters"] = {{"effort", effort}, {"template", first + 1}};
+
+  SM::Common_mesh common = SM::common_mesh(*set);
+  const SM::Common_mesh on_shapes = common; // where the shapes are
+  const std::vector<SM::Similarity> motions = SM::align_shapes(common);
+  const SM::Shape_statistics<> statistics(common);
+  metrics["statistics"] = metrics_of_statistics(common, statistics);
+
+  watch.time("write", [&] {
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const std::string number_of = std::to_string(i + 1);
+      SM::write_map(folder.file(number_of + ".map.ply"), set->map(i),
+                    SM::parameters::repair_report(std::cref(shapes[i].input.repair)));
+      if (i == 0) continue;
+      write_mesh(folder.file("1_on_" + number_of + ".ply"), on_shapes.faces, on_shapes.positions[i]);
+      write_correspondence(folder.file("1_on_" + number_of + ".csv"), set->correspondence(0, i));
+    }
+    if (!landmarks.empty()) write_landmark_table(folder.file("landmarks.csv"), metrics["pairs"], landmarks);
+    if (shapes.size() > 2) write_mesh(folder.file("mean.ply"), common.faces, statistics.mean());
+  });
+  metrics = completed(std::move(metrics), "map_shapes", watch);
+  write_shapes_page(folder.file("report.html"), *set, common, motions, statistics, landmarks, metrics);
+  write_metrics(folder.file("metrics.json"), metrics);
+  throw_if_interrupted();
+  folder.commit();
+  if (!is_quiet)
+    for (const Json& pair : metrics["pairs"]) {
+      std::cout << pair["a"] << " and " << pair["b"] << ": distortion " << pair["sd_a"].get<double>() << ", "
+                << pair["sd_b"].get<double>() << " (1 is an isometry), median "
+                << pair["median"].get<double>() << ", 95 % below " << pair["p95"].get<double>();
+      if (!landmarks.empty())
+        std::cout << "; " << pair["landmarks"]["exact"] << " of " << landmarks.size() << " landmarks exact";
+      std::cout << '\n';
+    }
+  return SUCCESS;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -238,11 +339,12 @@ int main(int argc, char** argv)
   return run("map_shapes", [&]() -> int {
     Command_line options(
       "map_shapes A B [C ...] -o DIR [options], or map_shapes FOLDER -o DIR [options]",
-      "Maps shapes one to one onto each other (meshes of closed surfaces of genus 0, or with small holes), "
-      "so\n"
+      "Maps shapes one to one onto each other (meshes of spheres, of tori, or of disks; small holes are "
+      "closed), so\n"
       "that there is little distortion, and landmarks are met exactly. Writes the maps of all shapes over "
       "one\n"
-      "sphere (1.map.ply, 2.map.ply, ...), the first shape's mesh on the others (1_on_2.ply, ...), where "
+      "canonical surface (1.map.ply, 2.map.ply, ...), the first shape's mesh on the others (1_on_2.ply, "
+      "...), where "
       "its\n"
       "vertices are there (1_on_2.csv, ...), figures (metrics.json), and a page that shows the shapes, "
       "coloured\n"
@@ -265,11 +367,9 @@ int main(int argc, char** argv)
     options.require_choice("effort", {"fast", "default", "quality"});
     for (const char* name : {"method", "corners", "components"})
       if (options.has(name)) throw Usage_error(std::string("--") + name + " is no option of map_shapes");
-    const std::string effort = options.get<std::string>("effort");
-    const bool is_quiet = options.get<bool>("quiet");
     const std::vector<std::string> files = files_of(options);
-    const std::size_t first = options.get<std::size_t>("template") - 1;
-    options.require(first < files.size(), "template", "from 1 to the number of shapes");
+    options.require(options.get<std::size_t>("template") - 1 < files.size(), "template",
+                    "from 1 to the number of shapes");
     for (const std::string& file : files) // names of outputs would replace shapes, or be taken for some
       if (is_same_file(std::filesystem::path(file).parent_path().string().empty()
                          ? "."
@@ -279,76 +379,23 @@ int main(int argc, char** argv)
     SM::Atomic_folder folder(options.get<std::string>("output"));
 
     Stopwatch watch;
-    Progress progress(is_quiet);
+    Progress progress(options.get<bool>("quiet"));
     std::vector<Shape> shapes;
     for (const std::string& file : files) shapes.push_back(read_shape(options, file, watch, progress));
     double snapped = 0;
     const auto landmarks = landmarks_of(options, shapes, snapped);
-    std::vector<std::shared_ptr<const Map>> maps;
-    for (const Shape& shape : shapes) maps.push_back(shape.map);
-    std::unique_ptr<const Shapes> set;
-    try {
-      watch.time("register", [&] {
-        set = std::make_unique<const Shapes>(SM::register_shapes<CGAL::Parallel_if_available_tag>(
-          maps, SM::parameters::landmark_rows(landmarks)
-                  .template_shape(first)
-                  .effort(effort == "fast"      ? SM::Effort::FAST
-                          : effort == "quality" ? SM::Effort::QUALITY
-                                                : SM::Effort::DEFAULT)
-                  .visitor(std::ref(progress))));
-      });
-    } catch (const SM::Numeric_error& e) {
-      if (e.code() != SM::Error_code::landmarks_not_met) throw;
-      say("map_shapes", e.what());
-      return TOLERANCE_NOT_REACHED;
-    }
-
-    Json metrics = {{"shapes", Json::array()}, {"pairs", Json::array()}};
-    for (std::size_t i = 0; i < shapes.size(); ++i)
-      metrics["shapes"].push_back({{"input", metrics_of_input(shapes[i].input, set->map(i))},
-                                   {"repair", metrics_of_repair(shapes[i].input.repair)},
-                                   {"map", metrics_of_map(set->map(i), watch)}});
-    watch.time("measure", [&] {
-      for (std::size_t i = 0; i < shapes.size(); ++i)
-        for (std::size_t j = i + 1; j < shapes.size(); ++j)
-          metrics["pairs"].push_back(metrics_of_pair(*set, i, j, landmarks));
-    });
-    metrics["landmarks"] = {{"count", landmarks.size()},
-                            {"largest_distance_of_points_from_vertices", snapped}};
-    metrics["parameters"] = {{"effort", effort}, {"template", first + 1}};
-
-    SM::Common_mesh common = SM::common_mesh(*set);
-    const SM::Common_mesh on_shapes = common; // where the shapes are
-    const std::vector<SM::Similarity> motions = SM::align_shapes(common);
-    const SM::Shape_statistics<> statistics(common);
-    metrics["statistics"] = metrics_of_statistics(common, statistics);
-
-    watch.time("write", [&] {
-      for (std::size_t i = 0; i < shapes.size(); ++i) {
-        const std::string number_of = std::to_string(i + 1);
-        SM::write_map(folder.file(number_of + ".map.ply"), set->map(i),
-                      SM::parameters::repair_report(std::cref(shapes[i].input.repair)));
-        if (i == 0) continue;
-        write_mesh(folder.file("1_on_" + number_of + ".ply"), on_shapes.faces, on_shapes.positions[i]);
-        write_correspondence(folder.file("1_on_" + number_of + ".csv"), set->correspondence(0, i));
-      }
-      if (!landmarks.empty()) write_landmark_table(folder.file("landmarks.csv"), metrics["pairs"], landmarks);
-      if (shapes.size() > 2) write_mesh(folder.file("mean.ply"), common.faces, statistics.mean());
-    });
-    metrics = completed(std::move(metrics), "map_shapes", watch);
-    write_shapes_page(folder.file("report.html"), *set, common, motions, statistics, landmarks, metrics);
-    write_metrics(folder.file("metrics.json"), metrics);
-    throw_if_interrupted();
-    folder.commit();
-    if (!is_quiet)
-      for (const Json& pair : metrics["pairs"]) {
-        std::cout << pair["a"] << " and " << pair["b"] << ": distortion " << pair["sd_a"].get<double>()
-                  << ", " << pair["sd_b"].get<double>() << " (1 is an isometry), median "
-                  << pair["median"].get<double>() << ", 95 % below " << pair["p95"].get<double>();
-        if (!landmarks.empty())
-          std::cout << "; " << pair["landmarks"]["exact"] << " of " << landmarks.size() << " landmarks exact";
-        std::cout << '\n';
-      }
-    return SUCCESS;
+    return std::visit(
+      [&](const auto& map) -> int {
+        using Atlas = typename std::decay_t<decltype(map)>::Atlas;
+        if constexpr (has_registration<Atlas>) {
+          return map_over<Atlas>(options, shapes, landmarks, snapped, folder, watch, progress);
+        } else {
+          throw SM::Topology_error(SM::Error_code::wrong_genus,
+                                   files[0] + " has genus " + std::to_string(map.atlas().genus()) +
+                                     ": shapes are mapped to each other over the sphere, the torus and the "
+                                     "square only");
+        }
+      },
+      shapes[0].map);
   });
 }

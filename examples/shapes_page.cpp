@@ -1,6 +1,9 @@
 #include "shapes_page.h"
 
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
+#include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
+#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
+#include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +39,7 @@ td, th { padding: 0.15rem 0.7rem; text-align: right; border-bottom: 1px solid #8
 </style>
 </head>
 <body>
-<h1>Shapes over one sphere</h1>
+<h1>Shapes over one canonical surface</h1>
 <p id="words"></p>
 <div id="views"></div>
 <fieldset><legend>Colours</legend>
@@ -290,9 +293,32 @@ std::vector<float> distortions(const SM::Common_mesh& mesh, const std::vector<Ei
   return result;
 }
 
+// Points of the canonical surface as colours are made from them: in the directions that they have from the origin.
+template <class>
+std::vector<Eigen::Vector3d> in_space(const std::vector<Eigen::Vector3d>& sphere)
+{
+  return sphere;
+}
+template <class Atlas>
+std::vector<Eigen::Vector3d> in_space(const std::vector<Eigen::Vector2d>& points)
+{
+  const double turn = 2 * std::acos(-1.);
+  std::vector<Eigen::Vector3d> result;
+  for (const Eigen::Vector2d& p : points) {
+    const double u = turn * p[0], v = turn * p[1];
+    if (Atlas::is_closed) // a ring
+      result.emplace_back((1 + 0.5 * std::cos(v)) * std::cos(u), (1 + 0.5 * std::cos(v)) * std::sin(u),
+                          0.5 * std::sin(v));
+    else // as a map shows a part of the earth
+      result.emplace_back(2 * p[0] - 1, 2 * p[1] - 1, 1.);
+  }
+  return result;
+}
+
 } // namespace
 
-void write_shapes_page(const std::string& file, const SM::Shape_set<SM::Sphere_atlas>& set,
+template <class Atlas>
+void write_shapes_page(const std::string& file, const SM::Shape_set<Atlas>& set,
                        const SM::Common_mesh& common, const std::vector<SM::Similarity>& motions,
                        const SM::Shape_statistics<>& statistics,
                        const std::vector<std::vector<std::size_t>>& landmarks, const Json& metrics)
@@ -310,7 +336,7 @@ void write_shapes_page(const std::string& file, const SM::Shape_set<SM::Sphere_a
     data["shapes"].push_back({{"name", std::to_string(i + 1) + ": " + name_of(metrics["shapes"][i])},
                               {"faces", shown(faces)},
                               {"positions", shown(points, frame_of(points))},
-                              {"domain", shown(map.domain_points(), sphere)},
+                              {"domain", shown(in_space<Atlas>(map.domain_points()), sphere)},
                               {"landmarks", base_64(dots)}});
   }
   const Frame frame = frame_of(statistics.mean());
@@ -326,7 +352,7 @@ void write_shapes_page(const std::string& file, const SM::Shape_set<SM::Sphere_a
     modes.push_back(shown(x, {Eigen::Vector3d::Zero(), frame.scale}));
   }
   data["common"] = {{"faces", shown(common.faces)},
-                    {"domain", shown(set.map(0).domain_points(), sphere)},
+                    {"domain", shown(in_space<Atlas>(set.map(0).domain_points()), sphere)},
                     {"positions", positions},
                     {"mean", shown(statistics.mean(), frame)},
                     {"modes", modes},
@@ -338,5 +364,15 @@ void write_shapes_page(const std::string& file, const SM::Shape_set<SM::Sphere_a
   output.stream() << page_head << text << page_tail;
   output.commit();
 }
+
+#define WRITE_SHAPES_PAGE(Atlas)                                                                             \
+  template void write_shapes_page(const std::string&, const SM::Shape_set<SM::Atlas>&,                       \
+                                  const SM::Common_mesh&, const std::vector<SM::Similarity>&,                \
+                                  const SM::Shape_statistics<>&,                                             \
+                                  const std::vector<std::vector<std::size_t>>&, const Json&)
+WRITE_SHAPES_PAGE(Sphere_atlas);
+WRITE_SHAPES_PAGE(Torus_atlas);
+WRITE_SHAPES_PAGE(Plane_atlas);
+#undef WRITE_SHAPES_PAGE
 
 } // namespace tools

@@ -5,7 +5,6 @@
 
 #include "figures.h"
 
-#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/registration/Shape_set.h>
 #include <CGAL/Simple_manifolds/registration/common_mesh.h>
 #include <CGAL/Simple_manifolds/registration/shape_statistics.h>
@@ -18,8 +17,8 @@ namespace tools {
 
 /// \param common  the shapes on the mesh of the first one, aligned by these motions
 /// \param landmarks  per landmark its vertex of each shape
-void write_shapes_page(const std::string& file,
-                       const CGAL::Simple_manifolds::Shape_set<CGAL::Simple_manifolds::Sphere_atlas>& set,
+template <class Atlas>
+void write_shapes_page(const std::string& file, const CGAL::Simple_manifolds::Shape_set<Atlas>& set,
                        const CGAL::Simple_manifolds::Common_mesh& common,
                        const std::vector<CGAL::Simple_manifolds::Similarity>& motions,
                        const CGAL::Simple_manifolds::Shape_statistics<>& statistics,

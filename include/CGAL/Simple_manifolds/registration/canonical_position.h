@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_REGISTRATION_CANONICAL_POSITION_H
 
 #include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
@@ -184,6 +185,41 @@ std::vector<Eigen::Vector2d> canonical_points(const Manifold_map<Torus_atlas>& m
   return points;
 }
 
+// The turn of the square that brings the corner that is farthest from the centroid, with the part of the shape that is
+// next to it, to the origin.
+template <class Scalar = double>
+std::vector<Eigen::Vector2d> canonical_points(const Manifold_map<Plane_atlas>& map, Position_frame,
+                                              bool& is_ambiguous)
+{
+  std::vector<Eigen::Vector2d> points = map.domain_points();
+  const Shape_moments moments(map);
+  if (!(moments.area > 0)) {
+    is_ambiguous = true;
+    return points;
+  }
+  std::array<Scalar, 4> sum = {}, weight = {}; // per corner, counterclockwise
+  Shape_moments::for_each_point(
+    map, [&](const Triangle& t, const Eigen::Vector3d& b, const Eigen::Vector3d& x, double w) {
+      const Eigen::Vector2d p =
+        map.atlas().interpolate(map.domain_point(t[0]), map.domain_point(t[1]), map.domain_point(t[2]), b);
+      const double u = p[0], v = p[1];
+      const std::array<double, 4> share = {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
+      for (int k = 0; k < 4; ++k) {
+        sum[k] += w * share[k] * (x - moments.centroid).squaredNorm();
+        weight[k] += w * share[k];
+      }
+    });
+  int best = 0;
+  for (int k = 0; k < 4; ++k) sum[k] /= weight[k];
+  for (int k = 1; k < 4; ++k)
+    if (sum[k] > sum[best]) best = k;
+  for (int k = 0; k < 4; ++k)
+    if (k != best && !(sum[k] < 0.99 * sum[best])) is_ambiguous = true;
+  for (Eigen::Vector2d& p : points)
+    for (int turns = best; turns > 0; --turns) p = Eigen::Vector2d(p[1], 1 - p[0]);
+  return points;
+}
+
 } // namespace internal
 
 /// \ingroup PkgSimpleManifoldsRegistration
@@ -195,10 +231,12 @@ std::vector<Eigen::Vector2d> canonical_points(const Manifold_map<Torus_atlas>& m
 /// The sphere is rotated so that the domain points lie as the points of the shape do from its centroid; along the
 /// axes of inertia, longest first, with signs by the third moments, or along the axes of space. The torus is
 /// translated, by the first Fourier coefficients of the distance from the centroid, and turned half round where that
-/// is needed. The map is else the same, but for rounding, and certified anew.
+/// is needed. The square is turned by right angles, so that the corner whose neighbourhood is farthest from the centroid
+/// becomes the origin. The map is else the same, but for rounding, and certified anew.
 ///
-/// \tparam Atlas  `Sphere_atlas` or `Torus_atlas`
-/// \param frame  what tells the axes
+/// \tparam Atlas  `Sphere_atlas`, `Torus_atlas` or `Plane_atlas`
+/// \param map  the map
+/// \param frame  what tells the axes of the sphere
 /// \param is_ambiguous  if not null, receives whether there are other positions that are nearly as good: the shape is nearly
 ///   symmetric, so that noise decides
 template <class Atlas>

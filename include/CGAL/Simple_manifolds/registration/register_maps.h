@@ -54,8 +54,9 @@ struct Registration_report {
   std::size_t landmarks = 0; ///< different pairs, all of which are met exactly
   /// The number of vertices of the level on which all landmarks were met: the fewer, the simpler the way there.
   std::size_t exact_at = 0;
-  /// For each rotation that was tried to the end: the mean logarithm of its distortion on the coarse level, 0 for an
-  /// isometry. Several that are nearly the least say that a shape is nearly symmetric. Empty with more than 6 landmarks.
+  /// For each rotation of the sphere (marking and translation of the torus, turn of the square) that was tried to the
+  /// end: the mean logarithm of its distortion on the coarse level, 0 for an isometry. Several that are nearly the
+  /// least say that a shape is nearly symmetric. Empty on the sphere with more than 6 landmarks.
   std::vector<double> rotations;
   /// The mean symmetric Dirichlet density (1 for an isometry) on both shapes: of the first layout, and after each step
   /// that made it less.
@@ -84,10 +85,12 @@ std::shared_ptr<const Manifold_map<Atlas>> polished(const std::shared_ptr<const 
                                                     const Registration_request& request);
 
 #ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
-#define CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Atlas)                                                                  \
-  extern template std::shared_ptr<const Manifold_map<Atlas>> polished<Atlas>(                                       \
-    const std::shared_ptr<const Manifold_map<Atlas>>&, const Manifold_map<Atlas>&, const Registration_request&);    \
-  extern template Correspondence<Atlas> registered<Atlas>(const Manifold_map<Atlas>&, const Manifold_map<Atlas>&,   \
+#define CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Atlas)                                                         \
+  extern template std::shared_ptr<const Manifold_map<Atlas>> polished<Atlas>(                                \
+    const std::shared_ptr<const Manifold_map<Atlas>>&, const Manifold_map<Atlas>&,                           \
+    const Registration_request&);                                                                            \
+  extern template Correspondence<Atlas> registered<Atlas>(const Manifold_map<Atlas>&,                        \
+                                                          const Manifold_map<Atlas>&,                        \
                                                           const Registration_request&, Registration_report&)
 CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Sphere_atlas);
 CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Torus_atlas);
@@ -118,14 +121,17 @@ int position_in(const Mesh_map<FaceListGraph, Atlas>& map,
 /// domain has little symmetric Dirichlet energy between the two surfaces. The results are certified as all maps are.
 ///
 /// Landmarks are met exactly: a landmark of the source gets the domain point of its partner, bit for bit. With
-/// up to 6 of them, or none, rotations are searched all over; reflections are not.
+/// up to 6 of them, or none, rotations of the sphere are searched all over; of the torus always translations and how the
+/// loops of one shape go round the other; of the square always the four turns. Reflections are not. Over the square the
+/// border goes to the border and corners to corners.
 ///
 /// The shapes may have any position and size; neither matters. The result is deterministic, and the same for any number
 /// of threads.
 ///
 /// \tparam ConcurrencyTag  `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
-/// \tparam SourceMap, TargetMap  `Manifold_map<Sphere_atlas>`, or `Mesh_map`s of that atlas
-/// \param source  the map of the shape whose domain points are moved, as `map_to_sphere()` makes it
+/// \tparam SourceMap, TargetMap  `Manifold_map`s, or `Mesh_map`s, of one of `Sphere_atlas`, `Torus_atlas` and
+///   `Plane_atlas`
+/// \param source  the map of the shape whose domain points are moved, as `map_to_sphere()` and the others make it
 /// \param target  the map of the other shape
 /// \param np  named parameters:
 ///   - `landmark_pairs`  a range of `Landmark_pair`; default none

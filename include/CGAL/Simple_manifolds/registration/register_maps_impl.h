@@ -186,7 +186,7 @@ Correspondence<Atlas> registered(const Manifold_map<Atlas>& source, const Manifo
       request.visitor.start_phase("certify");
       try {
         Correspondence<Atlas> result(with_domain_points(source, std::move(c.domain_points)),
-                                            with_domain_points(target, std::move(d.domain_points)));
+                                     with_domain_points(target, std::move(d.domain_points)));
         request.visitor.end_phase();
         return result;
       } catch (const Numeric_error& e) { // begin anew with a better conditioned energy
@@ -230,11 +230,13 @@ std::shared_ptr<const Manifold_map<Atlas>> polished(const std::shared_ptr<const 
 }
 
 #ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED
-#define CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Atlas)                                                                \
-  CGAL_SIMPLE_MANIFOLDS_INSTANTIATE std::shared_ptr<const Manifold_map<Atlas>> polished<Atlas>(                     \
-    const std::shared_ptr<const Manifold_map<Atlas>>&, const Manifold_map<Atlas>&, const Registration_request&);    \
-  CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Correspondence<Atlas> registered<Atlas>(                                        \
-    const Manifold_map<Atlas>&, const Manifold_map<Atlas>&, const Registration_request&, Registration_report&)
+#define CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Atlas)                                                         \
+  CGAL_SIMPLE_MANIFOLDS_INSTANTIATE std::shared_ptr<const Manifold_map<Atlas>> polished<Atlas>(              \
+    const std::shared_ptr<const Manifold_map<Atlas>>&, const Manifold_map<Atlas>&,                           \
+    const Registration_request&);                                                                            \
+  CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Correspondence<Atlas> registered<Atlas>(                                 \
+    const Manifold_map<Atlas>&, const Manifold_map<Atlas>&, const Registration_request&,                     \
+    Registration_report&)
 CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Sphere_atlas);
 CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Torus_atlas);
 CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Plane_atlas);

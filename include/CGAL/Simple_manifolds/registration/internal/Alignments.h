@@ -179,9 +179,11 @@ struct Scored_alignment {
 
 // The `count` best ones that are apart.
 template <class Geometry, class Scored>
-std::vector<Scored> best_apart(const Alignments<Geometry>& alignments, std::vector<Scored> all, std::size_t count)
+std::vector<Scored> best_apart(const Alignments<Geometry>& alignments, std::vector<Scored> all,
+                               std::size_t count)
 {
-  std::stable_sort(all.begin(), all.end(), [](const Scored& a, const Scored& b) { return a.score < b.score; });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Scored& a, const Scored& b) { return a.score < b.score; });
   std::vector<Scored> best;
   for (const Scored& r : all) {
     if (best.size() == count) break;

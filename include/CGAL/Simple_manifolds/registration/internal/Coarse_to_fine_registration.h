@@ -34,7 +34,7 @@ struct Registration_course {
   std::vector<double> rotations; // mean logarithmic energies of the rotations that were tried to the end
 };
 
-// The coarse-to-fine layout of a surface on the sphere against another one that stays: see the manual, "Between
+// The coarse-to-fine layout of a surface on its domain against another one that stays: see the manual, "Between
 // shapes". landmarks: vertices of the source, with the domain points that they have to have. is_placed: the map that the
 // source came with is registered already, and only to be improved.
 template <class Geometry>
@@ -53,9 +53,9 @@ public:
       geometry_(levels_.geometry), lift_(target),
       layout_(levels_.mesh, geometry_, target, levels_.numbered(source.positions, Eigen::Vector3d(0, 0, 0)),
               options.shape_floor, options.is_parallel),
-      options_(options), landmarks_(landmarks), full_(levels_.numbered(source.domain_points, Point(Point::Zero()))),
-      is_exact_(landmarks.empty()), is_placed_(is_placed),
-      has_search_(is_placed || landmarks.size() <= Domain::most_landmarks_of_a_search)
+      options_(options), landmarks_(landmarks),
+      full_(levels_.numbered(source.domain_points, Point(Point::Zero()))), is_exact_(landmarks.empty()),
+      is_placed_(is_placed), has_search_(is_placed || landmarks.size() <= Domain::most_landmarks_of_a_search)
   {
     for (auto& l : landmarks_) l.vertex = levels_.number(l.vertex);
     if constexpr (std::is_same_v<Geometry, Sphere_geometry>)
@@ -241,7 +241,8 @@ private:
       progress(0.1 + 0.05 * static_cast<double>(candidates.size()) / static_cast<double>(best.size()));
     }
     std::stable_sort(candidates.begin(), candidates.end());
-    candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>((std::min)(candidates.size(), std::size_t(5))),
+    candidates.erase(candidates.begin() +
+                       static_cast<std::ptrdiff_t>((std::min)(candidates.size(), std::size_t(5))),
                      candidates.end());
     for (Candidate& c : candidates) {
       geometry_ = c.geometry;

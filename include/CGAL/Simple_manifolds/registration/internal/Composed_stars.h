@@ -210,7 +210,10 @@ public:
   }
 
 private:
-  std::size_t first_sector(int v) const { return static_cast<std::size_t>(stars_.sectors(v) - stars_.sectors(0)); }
+  std::size_t first_sector(int v) const
+  {
+    return static_cast<std::size_t>(stars_.sectors(v) - stars_.sectors(0));
+  }
 
   // The mean of the pointwise energy at the points of a face.
   double pointwise_of_face(int f) const

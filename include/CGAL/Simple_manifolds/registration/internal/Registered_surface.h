@@ -69,8 +69,14 @@ struct Closed_surface {
 };
 
 // The geometry of a surface whose vertices come in the given order, and what it is laid out with.
-inline Closed_surface closed_surface(const Registered_surface<Sphere_geometry>& s) { return {s.points, s.faces}; }
-inline Closed_surface closed_surface(const Registered_surface<Torus_geometry>& s) { return {s.points, s.faces}; }
+inline Closed_surface closed_surface(const Registered_surface<Sphere_geometry>& s)
+{
+  return {s.points, s.faces};
+}
+inline Closed_surface closed_surface(const Registered_surface<Torus_geometry>& s)
+{
+  return {s.points, s.faces};
+}
 inline Closed_surface closed_surface(const Registered_surface<Plane_geometry>& s)
 {
   Closed_surface c{s.points, s.faces, static_cast<int>(s.points.size())};
@@ -130,9 +136,9 @@ private:
                  const std::vector<int>& landmarks, double area_floor, bool is_parallel)
     : order_(morton_order(normalized_points(closed.points))), rank_(ranks(order_)),
       geometry(geometry_of(s, order_)),
-      mesh(sorted_hierarchy(
-        Layout_problem<typename Geometry::Point>{closed.points, closed.faces, closed.apex}, order_, rank_,
-        area_floor, Geometry::total_area))
+      mesh(
+        sorted_hierarchy(Layout_problem<typename Geometry::Point>{closed.points, closed.faces, closed.apex},
+                         order_, rank_, area_floor, Geometry::total_area))
   {
     std::vector<float> reluctance(order_.size(), 1.f); // landmarks stay as long as possible
     for (const int v : landmarks) reluctance[rank_[v]] = 1e6f;

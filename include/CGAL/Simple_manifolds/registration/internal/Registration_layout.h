@@ -199,7 +199,8 @@ private:
 
   static bool has_edges(const Star& star, const Point& q)
   {
-    return std::all_of(star.ring.begin(), star.ring.end(), [&](const Point& r) { return Domain::is_edge(r - q); });
+    return std::all_of(star.ring.begin(), star.ring.end(),
+                       [&](const Point& r) { return Domain::is_edge(r - q); });
   }
 
   double radius(const Star& star) const
@@ -223,7 +224,8 @@ private:
     } else {
       sum = star.energy(geometry_, domain_energy(), q);
       if (!(sum < infinite)) return infinite;
-      if (stage_ == Stage::CHORDAL) sum = guard_weight * sum + composed_.chordal(v, star, y, nullptr, nullptr);
+      if (stage_ == Stage::CHORDAL)
+        sum = guard_weight * sum + composed_.chordal(v, star, y, nullptr, nullptr);
     }
     if (goal_weight_[v] > 0) sum += goal_weight_[v] * geometry_.squared_distance(q, goal_[v]);
     return sum;
@@ -301,7 +303,7 @@ private:
   std::vector<char> failures_, rest_; // steps that failed in a row, and sweeps until the next one
   std::vector<double> goal_weight_;   // 0: none
   std::vector<Point> goal_;
-  std::vector<int> order_;           // in which the vertices are relaxed
+  std::vector<int> order_; // in which the vertices are relaxed
 };
 
 } // namespace internal

@@ -47,7 +47,8 @@ inline Eigen::Matrix2i reduced_basis(const Eigen::Matrix2d& metric)
 
 // The eight linear maps from one flat torus to another one with the least distortion, one of each pair of opposite
 // ones, the best first.
-inline std::vector<Eigen::Matrix2i> likely_markings(const Eigen::Matrix2d& source, const Eigen::Matrix2d& target)
+inline std::vector<Eigen::Matrix2i> likely_markings(const Eigen::Matrix2d& source,
+                                                    const Eigen::Matrix2d& target)
 {
   const Eigen::Matrix2i from = reduced_basis(source), to = reduced_basis(target);
   Eigen::Matrix2i from_inverse;
@@ -84,8 +85,9 @@ inline std::optional<Eigen::Matrix2i> marking_of(Collapse_hierarchy mesh, Torus_
   const auto period = [&](int h) {
     const Eigen::Vector2d &p = domain_points[t.origin(h)], &q = domain_points[t.target(h)];
     Eigen::Matrix2i both;
-    both << geometry.deck(h).i, static_cast<int>(std::lround(Torus_geometry::difference(p, q)[0] - (q - p)[0])),
-      geometry.deck(h).j, static_cast<int>(std::lround(Torus_geometry::difference(p, q)[1] - (q - p)[1]));
+    both << geometry.deck(h).i,
+      static_cast<int>(std::lround(Torus_geometry::difference(p, q)[0] - (q - p)[0])), geometry.deck(h).j,
+      static_cast<int>(std::lround(Torus_geometry::difference(p, q)[1] - (q - p)[1]));
     return both; // the columns
   };
   std::vector<Eigen::Matrix2i> place(t.number_of_vertices(), Eigen::Matrix2i::Zero());

@@ -8,9 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_ENGINE_COARSE_TO_FINE_LAYOUT_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_ENGINE_COARSE_TO_FINE_LAYOUT_H
 
-#include <CGAL/Simple_manifolds/correspondence/internal/engine/Indexed_landmark.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Collapse_hierarchy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Distortion_energy.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/Indexed_landmark.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Star.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/star_placement.h>
 #include <CGAL/Simple_manifolds/internal/Star_kernel.h>

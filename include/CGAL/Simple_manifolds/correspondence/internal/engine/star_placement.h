@@ -24,8 +24,8 @@ namespace internal {
 // Places a vertex that has just come back in the kernel of its gathered star; try_position(p) says whether it takes p.
 // Returns false if rounding leaves no place for it.
 template <class Geometry, class Try>
-bool place_in_kernel(const Geometry& geometry, const Collapse_hierarchy& mesh, int v, const Star<Geometry>& star,
-                     Star_kernel& kernel, const Try& try_position)
+bool place_in_kernel(const Geometry& geometry, const Collapse_hierarchy& mesh, int v,
+                     const Star<Geometry>& star, Star_kernel& kernel, const Try& try_position)
 {
   using Point = typename Geometry::Point;
   // Half-planes of the edges at the vertex that v was merged into pass exactly through the origin.

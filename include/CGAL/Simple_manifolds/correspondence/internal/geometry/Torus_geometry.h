@@ -185,7 +185,8 @@ public:
                   static_cast<short>(matrix(1, 0) * d.i + matrix(1, 1) * d.j)};
     }
     wrap(mesh);
-    for (int v = 0; v < mesh.number_of_active_vertices(); ++v) position_[v] = snapped(position_[v] + translation);
+    for (int v = 0; v < mesh.number_of_active_vertices(); ++v)
+      position_[v] = snapped(position_[v] + translation);
     wrap(mesh);
     Eigen::Matrix2d metric, inverse;
     metric << m00_, m01_, m01_, m11_;
