@@ -367,6 +367,35 @@ TEST_CASE("a header of many elements, and one that comes twice")
   CHECK_THAT(message, Catch::Matchers::ContainsSubstring("line 2009: the element e7 comes twice"));
 }
 
+TEST_CASE("corners of an STL with equal coordinates are one vertex, numbered as they come")
+{
+  const int n = 40;
+  std::string text = "solid grid\n";
+  const auto corner = [&](int i, int j, bool is_negative) { // 0 and -0 are equal
+    text += "vertex " + std::string(i == 0 && is_negative ? "-" : "") + std::to_string(i) + ' ' +
+            std::to_string(j) + " 0\n";
+  };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      text += "facet normal 0 0 1\nouter loop\n";
+      corner(i, j, j % 2 == 0);
+      corner(i + 1, j, false);
+      corner(i + 1, j + 1, false);
+      text += "ENDLOOP\nEndFacet\nfacet normal 0 0 1\nouter loop\n";
+      corner(i, j, j % 3 == 0);
+      corner(i + 1, j + 1, false);
+      corner(i, j + 1, true);
+      text += "endloop\nendfacet\n";
+    }
+  const Temporary_folder folder;
+  Mesh mesh;
+  SM::read_mesh(folder.write("a.stl", text + "endsolid\n"), mesh);
+  CHECK(mesh.number_of_vertices() == (n + 1) * (n + 1));
+  CHECK(mesh.number_of_faces() == 2 * n * n);
+  const Kernel::Point_3 first[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 2, 0}, {0, 2, 0}};
+  for (unsigned v = 0; v < 6; ++v) CHECK(mesh.point(Mesh::Vertex_index(v)) == first[v]);
+}
+
 TEST_CASE("numbers beyond the range of a double are infinite or zero, however they are written")
 {
   const Temporary_folder folder;

@@ -39,7 +39,7 @@ public:
       Text_scanner in(file_, bytes.substr(header_.size), false, header_.lines + 1);
       for (const Element& e : header_.elements) {
         check_size(e, in.bytes_left());
-        read_element(e, [&](Scalar_type, const Property& p) { return in.number("a value of " + p.name); });
+        read_element(e, [&](Scalar_type, const Property& p) { return in.number({"a value of ", p.name}); });
       }
       if (in.has_trailing_text("elements"))
         mesh_.warn(Read_warning::TRAILING_DATA, in.place(), in.bytes_left());

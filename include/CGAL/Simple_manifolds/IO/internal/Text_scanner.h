@@ -9,11 +9,11 @@
 #define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_TEXT_SCANNER_H
 
 #include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/IO/internal/Item_name.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstddef>
 #include <limits>
@@ -29,9 +29,9 @@ namespace internal {
 /// Whether two words are equal but for the case of their letters.
 inline bool is_same_word(std::string_view a, std::string_view b)
 {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) {
-           return std::tolower((unsigned char)(x)) == std::tolower((unsigned char)(y));
-         });
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? char(c + ('a' - 'A')) : c; };
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(), [&](char x, char y) { return lower(x) == lower(y); });
 }
 
 /// A text without a byte order mark.
@@ -87,6 +87,7 @@ public:
   /// Whether nothing is left but white space and the bytes 0 and 26 with which files are filled up.
   bool is_at_filling() const
   {
+    if (at_ < text_.size() && text_[at_] > ' ') return false; // as most often
     return text_.find_first_not_of(std::string_view("\0\x1a \t\r\n\v\f", 8), at_) == text_.npos;
   }
 
@@ -111,19 +112,19 @@ public:
 
   /// The next word, on whatever line it is.
   /// \param what  for the message when the file ends here
-  std::string_view word(const std::string& what)
+  std::string_view word(const Item_name& what)
   {
-    if (at_end()) fail("the file ends where " + what + " is expected");
+    if (at_end()) fail("the file ends where " + what.text() + " is expected");
     const std::size_t begin = at_;
     while (at_ < text_.size() && !is_space(text_[at_]) && !is_continuation()) ++at_;
     return text_.substr(begin, at_ - begin);
   }
 
-  double number(const std::string& what)
+  double number(const Item_name& what)
   {
     const std::string_view w = word(what);
     double x = 0;
-    if (!is_number(w, x)) fail(what + " is expected, found \"" + shown(w) + '"');
+    if (!is_number(w, x)) fail(what.text() + " is expected, found \"" + shown(w) + '"');
     return x;
   }
 
@@ -139,52 +140,53 @@ public:
   /// Whether a word is a number, which then is put into x.
   static bool is_number(std::string_view w, double& x)
   {
+    const bool has_plus = w.size() > 1 && w[0] == '+' && w[1] != '-'; // from_chars takes no plus
+    const char *first = w.data() + has_plus, *last = w.data() + w.size();
+    const auto [end, error] = std::from_chars(first, last, x);
+    if (end == last && error == std::errc()) return true;
     if (w.find(".#") != w.npos) { // how some writers spell what is none: 1.#INF, -1.#IND, 1.#QNAN
       x = w.find(".#INF") == w.npos ? std::numeric_limits<double>::quiet_NaN()
           : w[0] == '-'             ? -std::numeric_limits<double>::infinity()
                                     : std::numeric_limits<double>::infinity();
       return true;
     }
-    const bool has_plus = w.size() > 1 && w[0] == '+' && w[1] != '-'; // from_chars takes no plus
-    const char *first = w.data() + has_plus, *last = w.data() + w.size();
-    const auto [end, error] = std::from_chars(first, last, x);
     if (end != last || error == std::errc::invalid_argument) return false;
     if (error == std::errc::result_out_of_range) // from_chars does not say on which side
       x = is_above_one(w) ? std::numeric_limits<double>::infinity() : 0;
     return true;
   }
 
-  Eigen::Vector3d point(const std::string& what)
+  Eigen::Vector3d point(const Item_name& what)
   {
     Eigen::Vector3d p;
     for (int k = 0; k < 3; ++k) p[k] = number(what);
     return p;
   }
 
-  long long integer(const std::string& what) { return integer(word(what), what); }
+  long long integer(const Item_name& what) { return integer(word(what), what); }
 
-  long long integer(std::string_view w, const std::string& what) const
+  long long integer(std::string_view w, const Item_name& what) const
   {
     long long x = 0;
     const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), x);
     if (w.empty() || end != w.data() + w.size() || error != std::errc())
-      fail(what + " is expected, found \"" + shown(w) + '"');
+      fail(what.text() + " is expected, found \"" + shown(w) + '"');
     return x;
   }
 
   /// A number of elements, each of which takes at least `bytes_each` of the bytes that are left: so a
   /// wrong number in a header is an error here and not an allocation.
-  std::size_t count(const std::string& what, std::size_t bytes_each)
+  std::size_t count(const Item_name& what, std::size_t bytes_each)
   {
-    const long long n = integer("the number of " + what);
+    const long long n = integer(what.count());
     return checked_count(n, what, bytes_each);
   }
 
-  std::size_t checked_count(long long n, const std::string& what, std::size_t bytes_each) const
+  std::size_t checked_count(long long n, const Item_name& what, std::size_t bytes_each) const
   {
-    if (n < 0) fail("the number of " + what + " is " + std::to_string(n));
+    if (n < 0) fail(what.count().text() + " is " + std::to_string(n));
     if (std::size_t(n) > bytes_left() / bytes_each + 1)
-      fail("the header announces " + std::to_string(n) + ' ' + what + ", but only " +
+      fail("the header announces " + std::to_string(n) + ' ' + what.text() + ", but only " +
            std::to_string(bytes_left()) + " bytes follow");
     return std::size_t(n);
   }

@@ -14,9 +14,11 @@
 #include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace CGAL {
@@ -28,7 +30,12 @@ namespace internal {
 inline int obj_index(std::string_view word, std::size_t size)
 {
   double i = 0;
-  if (!Text_scanner::is_number(word, i)) return -1;
+  int integer = 0; // as most are
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), integer);
+  if (error == std::errc() && end == word.data() + word.size())
+    i = integer;
+  else if (!Text_scanner::is_number(word, i))
+    return -1;
   return to_index(i > 0 ? i - 1 : i < 0 ? double(size) + i : -1);
 }
 
@@ -45,7 +52,7 @@ inline File_mesh read_obj(const std::string& file, std::string_view text)
   Corner_values uv("uv", 2), normals("normal", 3);
   bool is_obj = false;
   std::vector<double> numbers;
-  const auto corner = [&](Text_scanner& in, const std::string& what) {
+  const auto corner = [&](Text_scanner& in, const Item_name& what) {
     std::string_view rest = in.word(what);
     const std::string_view whole = rest;
     double number = 0;
@@ -59,7 +66,7 @@ inline File_mesh read_obj(const std::string& file, std::string_view text)
       in.fail("face " + std::to_string(mesh.number_of_faces()) + " refers to vertex " +
               Text_scanner::shown(whole) + ", but numbers begin with 1 or, backwards, -1, and there are " +
               std::to_string(mesh.points.size()) + " vertices before it");
-    if (v < 0) in.fail(what + " is expected, found \"" + Text_scanner::shown(whole) + '"');
+    if (v < 0) in.fail(what.text() + " is expected, found \"" + Text_scanner::shown(whole) + '"');
     mesh.add_corner(v);
     uv.put(v, obj_index(next(), uv.size()));
     normals.put(v, obj_index(next(), normals.size()));
@@ -68,13 +75,13 @@ inline File_mesh read_obj(const std::string& file, std::string_view text)
     const std::string_view keyword = in.word("a statement");
     if (is_same_word(keyword, "v")) {
       const std::size_t v = mesh.points.size();
-      mesh.points.push_back(in.point("a coordinate of vertex " + std::to_string(v)));
+      mesh.points.push_back(in.point({"a coordinate of vertex ", v}));
       in.rest_of_line(numbers);
       if (numbers.size() >= 3)
         colours.put(v, numbers.end() - 3, numbers.end()); // before them possibly a weight
       is_obj = true;
     } else if (is_one_of(keyword, {"f", "fo"})) {
-      const std::string what = "a vertex of face " + std::to_string(mesh.number_of_faces());
+      const Item_name what("a vertex of face ", std::size_t(mesh.number_of_faces()));
       while (!in.at_line_end()) corner(in, what);
       mesh.end_face();
       is_obj = true;

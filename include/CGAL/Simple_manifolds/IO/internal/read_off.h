@@ -149,7 +149,7 @@ inline File_mesh read_off(const std::string& file, std::string_view bytes)
   Off_vertex_rows rows(keyword);
   mesh.points.reserve(vertices);
   for (std::size_t v = 0; v < vertices; ++v) {
-    mesh.points.push_back(in.point("a coordinate of vertex " + std::to_string(v)));
+    mesh.points.push_back(in.point({"a coordinate of vertex ", v}));
     in.rest_of_line(numbers);
     rows.put(v, numbers);
   }
@@ -158,9 +158,8 @@ inline File_mesh read_off(const std::string& file, std::string_view bytes)
   Property_rows colours("colour", 4, Scalar_type::FLOAT32);
   mesh.reserve_faces(faces);
   for (std::size_t f = 0; f < faces; ++f) {
-    const std::string what = "face " + std::to_string(f);
-    for (std::size_t corners = in.count("vertices of " + what, 2); corners > 0; --corners)
-      mesh.add_corner(to_index(double(in.integer("a vertex of " + what))));
+    for (std::size_t corners = in.count({"vertices of face ", f}, 2); corners > 0; --corners)
+      mesh.add_corner(to_index(double(in.integer({"a vertex of face ", f}))));
     mesh.end_face();
     in.rest_of_line(numbers);
     if (numbers.size() >= 3) colours.put(f, numbers.begin(), numbers.end());

@@ -14,10 +14,12 @@
 #include <CGAL/Simple_manifolds/IO/internal/Text_scanner.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace CGAL {
 namespace Simple_manifolds {
@@ -34,14 +36,48 @@ public:
       mesh_.points.push_back(p);
       return int(mesh_.points.size()) - 1;
     }
-    const auto [at, is_new] = index_.insert({{p.x(), p.y(), p.z()}, int(mesh_.points.size())});
-    if (is_new) mesh_.points.push_back(p);
-    return at->second;
+    int& v = slot(p);
+    if (v >= 0) return v;
+    v = int(mesh_.points.size());
+    mesh_.points.push_back(p);
+    if (2 * ++used_ > slots_.size()) grow();
+    return int(mesh_.points.size()) - 1;
   }
 
 private:
+  // A table with open addresses and linear probing: that of the vertex at a place, or where it is to be put.
+  int& slot(const Eigen::Vector3d& p)
+  {
+    std::size_t i = hash(p);
+    for (;; ++i) {
+      int& v = slots_[i & (slots_.size() - 1)];
+      if (v < 0 || mesh_.points[std::size_t(v)] == p) return v;
+    }
+  }
+
+  static std::size_t hash(const Eigen::Vector3d& p)
+  {
+    std::uint64_t h = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double x = p[k] + 0.; // -0 becomes 0, which it is equal to
+      std::uint64_t bits;
+      std::memcpy(&bits, &x, sizeof(bits));
+      h = (h ^ bits) * 0x9e3779b97f4a7c15u;
+      h ^= h >> 29;
+    }
+    return std::size_t(h);
+  }
+
+  void grow()
+  {
+    slots_.assign(2 * slots_.size(), -1);
+    for (std::size_t v = 0; v < mesh_.points.size(); ++v)
+      if (mesh_.points[v].allFinite()) slot(mesh_.points[v]) = int(v);
+  }
+
   File_mesh& mesh_;
-  std::map<std::array<double, 3>, int> index_;
+  std::vector<int> slots_ = std::vector<int>(1024, -1); // a power of two of them, at most half of them used
+  std::size_t used_ = 0;
 };
 
 // How a binary STL is laid out: a comment, the number of facets, the facets.
@@ -129,7 +165,7 @@ inline File_mesh read_stl_ascii(const std::string& file, std::string_view text)
     const auto is = [&](const char* word) { return is_same_word(keyword, word); };
     if (is("vertex")) {
       if (corners < 0) fail(": a vertex before its beginning");
-      mesh.add_corner(vertex(in.point("a coordinate of facet " + std::to_string(mesh.number_of_faces()))));
+      mesh.add_corner(vertex(in.point({"a coordinate of facet ", std::size_t(mesh.number_of_faces())})));
       ++corners;
     } else if (is("endfacet")) {
       if (corners < 3) fail(" has " + std::to_string((std::max)(corners, 0)) + " vertices instead of 3");
