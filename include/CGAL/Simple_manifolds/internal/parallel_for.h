@@ -91,13 +91,12 @@ constexpr bool is_parallel()
 }
 
 // Calls f(first, last) for pieces that partition [begin,end). The pieces may run at the same time if `has_threads`, so
-// f must give the same result in any order: then it does for any number of threads. Short ranges are not worth a task
-// switch and run here.
+// f must give the same result in any order: then it does for any number of threads. A piece has at least `grain` steps,
+// fewer are not worth a task switch: short ranges run here.
 template <class F>
-void parallel_for(bool has_threads, int begin, int end, const F& f)
+void parallel_for(bool has_threads, int begin, int end, [[maybe_unused]] int grain, const F& f)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  constexpr int grain = 1024;
   if (has_threads && end - begin > 2 * grain) {
     run_pieces(begin, end, grain, Piece_function(f));
     return;
@@ -106,6 +105,11 @@ void parallel_for(bool has_threads, int begin, int end, const F& f)
   (void)has_threads;
 #endif
   if (begin < end) f(begin, end);
+}
+template <class F>
+void parallel_for(bool has_threads, int begin, int end, const F& f)
+{
+  parallel_for(has_threads, begin, end, 1024, f);
 }
 template <class ConcurrencyTag, class F>
 void parallel_for(int begin, int end, const F& f)

@@ -127,7 +127,7 @@ private:
   bool place(int first, int last)
   {
     std::atomic<bool> all_placed(true);
-    parallel_for(is_parallel_, first, last, [&](int begin, int end) {
+    parallel_for(is_parallel_, first, last, grain, [&](int begin, int end) {
       Star star;
       Star_kernel kernel;
       for (int v = begin; v < end; ++v) {
@@ -164,10 +164,11 @@ private:
       for (int v = 0; v < mesh_.level_end(0); ++v) relax(v, star);
       // The vertices of a level are not adjacent: any order, and any number of threads, gives the same.
       for (int l = 1; l <= mesh_.level(); ++l)
-        parallel_for(is_parallel_, mesh_.level_end(l - 1), mesh_.level_end(l), [&](int first, int last) {
-          Star local;
-          for (int v = first; v < last; ++v) relax(v, local);
-        });
+        parallel_for(is_parallel_, mesh_.level_end(l - 1), mesh_.level_end(l), grain,
+                     [&](int first, int last) {
+                       Star local;
+                       for (int v = first; v < last; ++v) relax(v, local);
+                     });
     }
   }
 
@@ -205,6 +206,7 @@ private:
   }
 
   static constexpr double over_relaxation = 1.8;
+  static constexpr int grain = 256; // sweeps of all levels pass the coarse ones too, which are short
 
   Collapse_hierarchy& mesh_;
   Geometry& geometry_;

@@ -85,7 +85,7 @@ public:
     int degree_bound = 8, cap = 64;
     while (static_cast<int>(active.size()) > minimum) {
       candidates.assign(active.size(), Candidate());
-      parallel_for(is_parallel, 0, static_cast<int>(active.size()), [&](int first, int last) {
+      parallel_for(is_parallel, 0, static_cast<int>(active.size()), 256, [&](int first, int last) {
         Ring_buffer buffer;
         for (int i = first; i < last; ++i)
           if (active[i] != apex_ && table_.degree(active[i]) <= degree_bound && removable(active[i]))
@@ -110,7 +110,9 @@ public:
         if (static_cast<int>(active.size() - (removed.size() - before)) <= minimum) break;
         if (locked[c.vertex]) continue;
         // Collapses of this level may have closed the way or made it a bad one.
-        const Candidate now = best_collapse(c.vertex, cap, admissible, reluctance(c.vertex), buffer);
+        const Candidate now = has_changed_star(c.vertex, locked)
+                                ? best_collapse(c.vertex, cap, admissible, reluctance(c.vertex), buffer)
+                                : c;
         if (now.half_edge < 0 || now.cost > 4 * c.cost) continue;
         remove(c.vertex, now.half_edge, locked);
         gone[c.vertex] = 1;
@@ -176,6 +178,14 @@ private:
     std::vector<int> ring, half_edge;
     std::vector<std::pair<float, int>> order;
   };
+
+  // Whether this level may have changed the star of a neighbour. The apex, which is never locked, has that of many.
+  bool has_changed_star(int u, const std::vector<char>& locked) const
+  {
+    bool has = on_border_[u];
+    for_each_neighbour(u, [&](int v) { has = has || locked[v]; });
+    return has;
+  }
 
   int ring_size(int v) const { return table_.degree(v) - (on_border_[v] ? 1 : 0); }
 
@@ -268,29 +278,25 @@ private:
     undo_.clear();
     int next_vertex = 0;
     for (int v : base) number_[v] = next_vertex++;
-    std::vector<int> level_vertices, by_vertex; // by_vertex: as undo_, in the order of the vertices
+    std::vector<int> level_vertices;
     for (int l = levels - 1; l >= 0; --l) {
       const std::size_t first = level_start[l], last = l + 1 < levels ? level_start[l + 1] : removed.size();
       level_vertices.assign(removed.begin() + first, removed.begin() + last);
       std::sort(level_vertices.begin(), level_vertices.end());
-      for (int v : level_vertices) {
-        number_[v] = next_vertex++;
-        by_vertex.push_back(collapse_[v]);
-      }
+      for (int v : level_vertices) number_[v] = next_vertex++;
       for (std::size_t i = last; i-- > first;) undo_.push_back(collapse_[removed[i]]);
       level_end_.push_back(next_vertex);
       undo_start_.push_back(static_cast<int>(undo_.size()));
     }
-    // A face belongs to the level that brings it back, the others to the base. Inside a level faces are in the order of
-    // the vertices that come back with them, which is good for the cache.
+    // A face belongs to the level that brings it back, the others to the base.
     const int faces = static_cast<int>(2 * undo_.size() + base_faces(removed));
     std::vector<int> face_number(faces, -1);
     int next_face = faces - 2 * static_cast<int>(undo_.size());
     face_end_.assign(1, next_face);
     for (int l = 1; l <= levels; ++l) {
       for (int i = undo_start_[l - 1]; i < undo_start_[l]; ++i) {
-        face_number[by_vertex[i] / 3] = next_face++;
-        face_number[table_.opposite(by_vertex[i]) / 3] = next_face++;
+        face_number[undo_[i] / 3] = next_face++;
+        face_number[table_.opposite(undo_[i]) / 3] = next_face++;
       }
       face_end_.push_back(next_face);
     }
