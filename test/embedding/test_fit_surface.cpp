@@ -359,6 +359,31 @@ TEST_CASE("A fitter needs no visitor")
   CHECK(fitter.fit().point(middle) == fitter.fit(visitor).point(middle));
 }
 
+TEST_CASE("Where the speed of a map jumps the surface does not turn over")
+{
+  // from 0 to 1, with a slope that is ten times smaller in the second half
+  const auto jump = [](double x) { return x < 0.5 ? 20. / 11 * x : 1 - 2. / 11 * (1 - x); };
+  const auto turned = [](const auto& map, const auto& normal) {
+    SM::Fit_report report;
+    const auto surface = SM::fit_surface(map, SM::parameters::fit_report(std::ref(report)));
+    CHECK(report.tolerance_reached);
+    CHECK(report.stop == SM::Fit_stop::TOLERANCE);
+    int count = 0;
+    for (const auto& p : random_domain_points<typename std::decay_t<decltype(map)>::Atlas>(20000))
+      count += surface.normal(p).dot(normal(p)) < 0;
+    return count;
+  };
+  const Analytic_map<SM::Plane_atlas> sheet(
+    [&](const Vector2d& p) { return Vector3d(jump(p.x()), jump(p.y()), 0); });
+  CHECK(turned(sheet, [](const Vector2d&) { return Vector3d(0, 0, 1); }) == 0);
+  const auto moved = [&](const Vector2d& p) { return Vector2d(jump(p.x()), p.y()); };
+  const Analytic_map<SM::Torus_atlas> torus([&](const Vector2d& p) { return torus_of_revolution(moved(p)); });
+  CHECK(turned(torus, [&](const Vector2d& p) {
+          const double a = 6.283185307179586 * moved(p).x(), b = 6.283185307179586 * p.y();
+          return Vector3d(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b));
+        }) == 0);
+}
+
 TEST_CASE("Fairness smooths noise away")
 {
   std::mt19937 engine(7);

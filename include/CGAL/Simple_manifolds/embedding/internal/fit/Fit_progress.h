@@ -40,11 +40,14 @@ public:
     rounds_.push_back(now);
   }
 
+  /// Goes on in another way: what the rounds so far did is no reason to stop. The best of them is kept.
+  void forget() { rounds_.erase(rounds_.begin(), rounds_.end() - 1); }
+
   /// Whether the last rounds did not help.
   bool is_stuck() const
   {
     const Round& now = rounds_.back();
-    const std::size_t patience = now.rms <= 1 && now.maximum <= 1 ? 4 : 10; // few, if only folds are left
+    const std::size_t patience = now.rms <= 1 && now.maximum <= 1 ? 6 : 10; // few, if only folds are left
     for (std::size_t k = rounds_.size() - 1; k-- > 0;) {
       const bool is_growth = now.controls >= 3 * rounds_[k].controls,
                  are_many = rounds_.size() - k > patience;

@@ -11,6 +11,7 @@
 #include <CGAL/Simple_manifolds/embedding/Fit_report.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Chart_spline.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Local_stiffness.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Normal_distance_solver.h>
 
 #include <Eigen/Core>
@@ -54,7 +55,7 @@ public:
 
   const std::vector<Chart_spline>& splines() const { return splines_; }
   /// Goes back to splines that it had, to be measured; not to be refined again.
-  void restore(std::vector<Chart_spline> splines) { splines_ = std::move(splines); }
+  void restore(std::vector<Chart_spline> splines);
   const Fit_samples& samples() const { return samples_; }
 
   std::size_t controls() const
@@ -96,6 +97,10 @@ public:
 
   /// Corrects the blend of all charts: normals and slides of the metrics are given per sample, their weights are not.
   void solve_normally(std::vector<Residual_metric> metrics, int iterations);
+
+  /// Makes the surroundings of these leaves stiff in all of the following solves, or stiffer than they are.
+  /// \return false if they are as stiff as they may be
+  bool stiffen(const std::vector<Mark>& marks);
 
   /// Leaves out the functions that the blend takes less than this part of, at all samples.
   void prune(double least);
@@ -172,6 +177,7 @@ private:
   bool is_parallel_;
   std::vector<Chart_spline> splines_;
   Fit_samples samples_;
+  Local_stiffness stiffness_;
   Fit_report::Bytes bytes_;
   std::size_t exhausted_ = 0; // the limit that was reached
   std::vector<int> seen_;     // cells of each tree that have had their samples

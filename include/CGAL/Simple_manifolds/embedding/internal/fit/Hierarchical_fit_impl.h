@@ -46,6 +46,13 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::add(const Fit_samples& sampl
     (std::max)(bytes_.samples, samples_.size() * per_sample + samples_.views.size() * per_view);
 }
 
+CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::restore(std::vector<Chart_spline> splines)
+{
+  splines_ = std::move(splines);
+  for (Fit_samples::View& view : samples_.views) view.cell = -1;
+  descend();
+}
+
 CGAL_SIMPLE_MANIFOLDS_INLINE std::vector<int> Hierarchical_fit::all_charts() const
 {
   std::vector<int> all(splines_.size());
@@ -73,7 +80,7 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::solve_alone(const std::vecto
   parallel_tasks(is_parallel_, int(charts.size()), [&](int k) {
     const int c = charts[k];
     Normal_equations equations(splines_, {c}, false);
-    equations.assemble(samples_, none, own, value_, residual_, fairness_);
+    equations.assemble(samples_, none, own, value_, residual_, fairness_, stiffness_);
     const Eigen::MatrixX3d x = equations.solve(ridge);
     equation_bytes[k] = equations.bytes();
     splines_[c].add([&](int f) -> Eigen::Vector3d { return x.row(f).transpose(); });
@@ -86,7 +93,7 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::solve_alone(const std::vecto
 CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::solve_jointly(double misfit)
 {
   Normal_equations equations(splines_, all_charts(), is_parallel_);
-  equations.assemble(samples_, joint_weight_, own_weights(misfit), value_, residual_, fairness_);
+  equations.assemble(samples_, joint_weight_, own_weights(misfit), value_, residual_, fairness_, stiffness_);
   const Eigen::MatrixX3d x = equations.solve(ridge);
   bytes_.equations = (std::max)(bytes_.equations, equations.bytes());
   for (std::size_t c = 0; c < splines_.size(); ++c)
@@ -107,6 +114,20 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::solve_normally(std::vector<R
     offset += spline.size();
   }
   evaluate(all_charts());
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE bool Hierarchical_fit::stiffen(const std::vector<Mark>& marks)
+{
+  std::vector<std::pair<int, int>> leaves;
+  for (const Mark& m : marks) leaves.push_back({m.chart, splines_[m.chart].tree().find(m.leaf)});
+  std::sort(leaves.begin(), leaves.end());
+  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+  bool is_stiffer = false;
+  Local_stiffness next = stiffness_;
+  for (const auto& [chart, leaf] : leaves)
+    if (next.add(chart, splines_[chart].tree(), leaf, stiffness_)) is_stiffer = true;
+  stiffness_ = std::move(next);
+  return is_stiffer;
 }
 
 CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::prune(double least)

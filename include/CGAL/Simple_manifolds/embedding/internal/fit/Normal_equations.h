@@ -10,6 +10,8 @@
 
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Chart_spline.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Local_stiffness.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/thin_plate_energy.h>
 #include <CGAL/Simple_manifolds/internal/Cholesky_solver.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
 
@@ -53,9 +55,11 @@ public:
   /// \param value         per view: E_c
   /// \param residual      per sample: M - E
   /// \param fairness      weight of the thin plate energy
+  /// \param stiffness     adds to it
   void assemble(const Fit_samples& samples, const std::vector<double>& joint_weight,
                 const std::vector<double>& own_weight, const std::vector<Eigen::Vector3d>& value,
-                const std::vector<Eigen::Vector3d>& residual, double fairness)
+                const std::vector<Eigen::Vector3d>& residual, double fairness,
+                const Local_stiffness& stiffness = {})
   {
     right_side_ = Eigen::MatrixX3d::Zero(size_, 3);
     columns_.assign(splines_.size(), {});
@@ -63,9 +67,14 @@ public:
     with_fit_degree(splines_[charts_[0]].space().degree(), [&](auto d) {
       constexpr int D = decltype(d)::value;
       for (const int b : charts_) {
-        add_right_side<D>(b, samples, joint_weight, own_weight, value, residual, fairness);
+        const std::vector<double> plate = plate_weights(
+          splines_[b].tree(), b, samples, fairness, stiffness, [&](std::size_t k, std::size_t v) {
+            const double blend = samples.views[v].blend;
+            return joint_weight[k] * blend * blend + own_weight[v];
+          });
+        add_right_side<D>(b, samples, joint_weight, own_weight, value, residual, plate);
         for (const int a : charts_)
-          if (a >= b) add_block<D>(a, b, samples, joint_weight, own_weight, fairness);
+          if (a >= b) add_block<D>(a, b, samples, joint_weight, own_weight, plate);
       }
     });
   }
@@ -121,45 +130,10 @@ private:
     return r;
   }
 
-  // Of one dimension: the integrals over [0,1] of the products of the k-th derivatives.
-  template <int D>
-  static std::array<double, (D + 1) * (D + 1)> products_of_derivatives(int k)
-  {
-    // Gauss-Legendre with 6 points: exact up to degree 11
-    constexpr std::array<double, 3> x = {0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
-    constexpr std::array<double, 3> w = {0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
-    std::array<double, (D + 1) * (D + 1)> m{};
-    for (int q = 0; q < 6; ++q) {
-      const double t = 0.5 + (q % 2 == 0 ? 0.5 : -0.5) * x[q / 2];
-      const auto f = k == 0   ? Bspline_basis<D>::values(t)
-                     : k == 1 ? Bspline_basis<D>::first(t)
-                              : Bspline_basis<D>::second(t);
-      for (int r = 0; r <= D; ++r)
-        for (int s = 0; s <= D; ++s) m[r * (D + 1) + s] += w[q / 2] / 2 * f[r] * f[s];
-    }
-    return m;
-  }
-
-  // The thin plate energy of the local functions of a cell with side 1.
-  template <int D>
-  static std::vector<double> thin_plate()
-  {
-    constexpr int N = D + 1;
-    const auto m0 = products_of_derivatives<D>(0), m1 = products_of_derivatives<D>(1),
-               m2 = products_of_derivatives<D>(2);
-    std::vector<double> t(N * N * N * N);
-    for (int k = 0; k < N * N; ++k)
-      for (int l = 0; l < N * N; ++l) {
-        const int u = k / N * N + l / N, v = k % N * N + l % N;
-        t[k * N * N + l] = m2[u] * m0[v] + 2 * m1[u] * m1[v] + m0[u] * m2[v];
-      }
-    return t;
-  }
-
   template <int D>
   void add_right_side(int c, const Fit_samples& samples, const std::vector<double>& joint_weight,
                       const std::vector<double>& own_weight, const std::vector<Eigen::Vector3d>& value,
-                      const std::vector<Eigen::Vector3d>& residual, double fairness)
+                      const std::vector<Eigen::Vector3d>& residual, const std::vector<double>& plate)
   {
     constexpr int K = (D + 1) * (D + 1);
     const Chart_spline& spline = splines_[c];
@@ -173,14 +147,12 @@ private:
         const auto f = local_values<D>(spline.tree(), view.cell, view.uv);
         for (int i = 0; i < K; ++i) local[std::size_t(view.cell) * K + i] += f[i] * r;
       }
-    if (fairness > 0) {
-      const std::vector<double> energy = thin_plate<D>();
-      for (int leaf = 0; leaf < spline.tree().size(); ++leaf) {
-        const double n = spline.tree().side(spline.tree().cell(leaf).level);
+    if (!plate.empty()) {
+      const std::vector<double> energy = thin_plate_energy<D>();
+      for (int leaf = 0; leaf < spline.tree().size(); ++leaf)
         for (int i = 0; i < K && spline.tree().is_leaf(leaf); ++i)
           for (int j = 0; j < K; ++j)
-            local[std::size_t(leaf) * K + i] -= fairness * n * n * energy[i * K + j] * spline.local(leaf)[j];
-      }
+            local[std::size_t(leaf) * K + i] -= plate[leaf] * energy[i * K + j] * spline.local(leaf)[j];
     }
     const Leaf_basis& basis = spline.basis();
     for (int leaf = 0; leaf < spline.tree().size(); ++leaf)
@@ -261,16 +233,15 @@ private:
   }
 
   template <int D>
-  static void add_energy(const Cell_tree& tree, double fairness, Leaf_pairs& pairs)
+  static void add_energy(const Cell_tree& tree, const std::vector<double>& plate, Leaf_pairs& pairs)
   {
     constexpr int K = (D + 1) * (D + 1);
-    const std::vector<double> energy = thin_plate<D>();
+    const std::vector<double> energy = thin_plate_energy<D>();
     for (int leaf = 0; leaf < tree.size(); ++leaf)
       if (tree.is_leaf(leaf)) {
-        const double n = tree.side(tree.cell(leaf).level);
         const std::size_t block = pairs.first_block[leaf];
         pairs.leaf_a[block] = leaf;
-        for (int i = 0; i < K * K; ++i) pairs.blocks[block * K * K + i] += fairness * n * n * energy[i];
+        for (int i = 0; i < K * K; ++i) pairs.blocks[block * K * K + i] += plate[leaf] * energy[i];
       }
   }
 
@@ -340,14 +311,14 @@ private:
 
   template <int D>
   void add_block(int a, int b, const Fit_samples& samples, const std::vector<double>& joint_weight,
-                 const std::vector<double>& own_weight, double fairness)
+                 const std::vector<double>& own_weight, const std::vector<double>& plate)
   {
     const Chart_spline& columns = splines_[b];
     Leaf_pairs pairs;
     sort_samples(a, b, samples, pairs);
     if (a != b && pairs.items.empty()) return; // the charts do not meet
     sum_products<D>(a, b, samples, joint_weight, own_weight, pairs);
-    if (a == b && fairness > 0) add_energy<D>(columns.tree(), fairness, pairs);
+    if (a == b && !plate.empty()) add_energy<D>(columns.tree(), plate, pairs);
 
     const Reach reached = reach(columns);
     const int pieces = (columns.size() + piece - 1) / piece;

@@ -21,6 +21,7 @@
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_fit.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Sliding_vertices.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/folded_points.h>
 #include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
 #include <CGAL/Simple_manifolds/internal/compiled.h>
 #include <CGAL/Simple_manifolds/internal/require_extent.h>
@@ -47,6 +48,7 @@ template <class Map, class Bump>
 class Refining_fit : public Fit_engine<Map, Bump> {
 public:
   using Atlas = typename Map::Atlas;
+  using Domain_point = typename Atlas::Domain_point;
   using Surface = typename Fit_engine<Map, Bump>::Surface;
 
   Refining_fit(const Map& map, const Fit_options& options, const Bump& bump, bool is_parallel)
@@ -136,8 +138,16 @@ private:
                       });
     });
     report_.tolerance_reached = errors_.meets(rms_error(), max_error());
+    folded_.clear();
+    if (report_.tolerance_reached && unfolds()) {
+      constexpr double reach = 3; // errors
+      timed(report_.seconds.measuring, [&] {
+        folded_ = folded_points(is_parallel_, surface(fit), fit, reach * errors_.rms() * map_.diagonal());
+      });
+    }
     progress_.add(errors_.rms() / (std::max)(rms_error(), 1e-300),
-                  errors_.maximum() / (std::max)(max_error(), 1e-300), report_.folds, fit.splines());
+                  errors_.maximum() / (std::max)(max_error(), 1e-300), report_.folds + folded_.size(),
+                  fit.splines());
     if (!progress_.has_better()) best_map_ = map_now_.state();
     show_progress(report_.max_error * map_.diagonal(), visitor);
   }
@@ -163,14 +173,27 @@ private:
     measure(fit, visitor);
   }
 
+  // Whether folds are taken out of the surface.
+  bool unfolds() const
+  {
+    return options_.effort == Fit_effort::FAST && options_.refinement == Refinement::ADAPTIVE;
+  }
+
+  bool is_alone() const { return has_single_chart || options_.joint_solve == Joint_solve::NEVER; }
+
+  // All charts together; or those that changed, if each is on its own.
+  void solve(Fit& fit, const std::vector<int>& changed, const Visitor_reference& visitor)
+  {
+    if (is_alone())
+      solve_alone(fit, changed, visitor);
+    else
+      solve_jointly(fit, visitor);
+  }
+
   void refine_everywhere(Fit& fit, const Visitor_reference& visitor)
   {
-    const bool jointly = !has_single_chart && options_.joint_solve != Joint_solve::NEVER;
     for (;;) {
-      if (jointly)
-        solve_jointly(fit, visitor);
-      else
-        solve_alone(fit, fit.all_charts(), visitor);
+      solve(fit, fit.all_charts(), visitor);
       std::vector<Mark> marks;
       std::size_t controls = 0;
       for (int c = 0; c < map_.atlas().number_of_charts(); ++c) {
@@ -193,19 +216,19 @@ private:
     const bool from_the_start = options_.joint_solve == Joint_solve::ALWAYS ||
                                 (options_.fairness > 0 && options_.joint_solve == Joint_solve::AT_END);
     if (!from_the_start || has_single_chart) refine_alone(fit, visitor);
-    const bool alone = has_single_chart || options_.joint_solve == Joint_solve::NEVER;
-    if (alone)
+    if (is_alone())
       measure(fit, visitor);
     else
       solve_jointly(fit, visitor);
     std::vector<int> changed;
     while (!is_done()) {
-      if (!refine(fit, joint_marks(fit), changed, max_controls()))
+      if (report_.tolerance_reached && stiffens() && unfold(fit))
+        changed = fit.all_charts();
+      else if (report_.tolerance_reached && report_.folds == 0) // only between the points of faces
+        return stop(Fit_stop::STAGNATION);
+      else if (!refine(fit, joint_marks(fit), changed, max_controls()))
         return stop(fit.is_full(max_controls()) ? Fit_stop::CONTROLS : Fit_stop::RESOLUTION);
-      if (alone)
-        solve_alone(fit, changed, visitor);
-      else
-        solve_jointly(fit, visitor);
+      solve(fit, changed, visitor);
     }
   }
 
@@ -220,7 +243,8 @@ private:
   // Whether the last measurement is a reason to end.
   bool is_done()
   {
-    if (report_.tolerance_reached && (report_.folds == 0 || looseness() > 1)) return true;
+    if (report_.tolerance_reached && ((report_.folds == 0 && folded_.empty()) || looseness() > 1))
+      return true;
     const bool is_stuck = progress_.is_stuck();
     if (is_stuck) stop(Fit_stop::STAGNATION);
     return is_stuck;
@@ -231,7 +255,7 @@ private:
   {
     std::vector<int> changed = fit.all_charts();
     std::vector<Mark> marks;
-    const bool is_last = has_single_chart || options_.joint_solve == Joint_solve::NEVER;
+    const bool is_last = is_alone();
     // the rest is placed by what the charts err together
     const std::size_t limit = is_last ? max_controls() : max_controls() / 2;
     double least = std::numeric_limits<double>::infinity();
@@ -299,6 +323,36 @@ private:
         f(std::size_t(s), Chart_point{view->chart, view->uv});
       }
     });
+  }
+
+  // Whether a stiffer surface has fewer folds, so far.
+  bool stiffens()
+  {
+    constexpr int patience = 2;
+    const double folds = double(report_.folds + folded_.size());
+    if (!unfolds() || stiffenings_ > patience) return false;
+    if (folds < 0.9 * least_folds_) {
+      least_folds_ = folds;
+      stiffenings_ = 0;
+    }
+    if (++stiffenings_ <= patience) return true;
+    progress_.forget();
+    return false;
+  }
+
+  // Makes the surface stiffer where it is folded; finer cells would only let it fold in smaller folds.
+  // \return false if it is as stiff as it may be
+  bool unfold(Fit& fit) const
+  {
+    constexpr double error = 1e3; // of a bound of 1: so that all charts are marked
+    std::vector<Mark> marks;
+    errors_.add_marks(fit, errors_.maximum(), only_vertices(), marks);
+    for (const Domain_point& p : folded_) {
+      std::vector<Fit_samples::View> views;
+      for (const auto& w : partition_.weights(p)) views.push_back({w.point.chart, -1, w.point.uv, w.weight});
+      fit.mark_jointly(views.data(), views.data() + views.size(), error, 1, marks);
+    }
+    return fit.stiffen(marks);
   }
 
   Surface surface(const Fit& fit) const { return Surface(embeddings(fit), partition_.bump(), map_.atlas()); }
@@ -419,6 +473,9 @@ private:
   static constexpr std::size_t face_samples = 6000; // of meshes with few faces
 
   std::shared_ptr<const Map> best_map_; // of the best round
+  std::vector<Domain_point> folded_;    // in the last round
+  double least_folds_ = 0;              // of all rounds of stiffening
+  int stiffenings_ = 0;                 // that did not help, one after the other
   int rounds_ = 0;                      // of refinement
   bool is_sliding_ = false;
   double done_ = 0; // share of the running phase
@@ -435,7 +492,8 @@ typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Vis
   report_.max_tolerance = options_.max_error;
   visitor.start_phase("fit");
   done_ = 0;
-  rounds_ = 0;
+  rounds_ = stiffenings_ = 0;
+  least_folds_ = std::numeric_limits<double>::infinity();
   is_sliding_ = false;
   map_now_.restore(nullptr);
   map_now_.release();
@@ -454,6 +512,7 @@ typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Vis
     follow_map();
     measure(fit, visitor);
   }
+  if (report_.tolerance_reached && report_.folds == 0) stop(Fit_stop::TOLERANCE);
   std::tie(report_.target_rms, report_.target_max) = errors_.distances_of_target();
   visitor.end_phase();
 

@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
 #include <CGAL/Simple_manifolds/embedding/internal/target/Target.h>
 #include <CGAL/Simple_manifolds/internal/Vertex_faces.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
