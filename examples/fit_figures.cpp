@@ -19,20 +19,6 @@ Json metrics_of_errors(const SM::Fit_errors& e)
           {"chart_disagreement", e.chart_disagreement}};
 }
 
-const char* name_of(SM::Fit_stop stop)
-{
-  switch (stop) {
-  case SM::Fit_stop::CONTROLS:
-    return "controls";
-  case SM::Fit_stop::STAGNATION:
-    return "stagnation";
-  case SM::Fit_stop::RESOLUTION:
-    return "resolution";
-  default:
-    return "tolerance";
-  }
-}
-
 } // namespace
 
 Json metrics_of_surface(const SM::Fit_report& report)

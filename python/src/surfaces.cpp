@@ -97,21 +97,6 @@ Surface fit(const Map& map, const py::dict& dict, py::object progress)
   });
 }
 
-const char* name_of(SM::Fit_stop stop)
-{
-  switch (stop) {
-  case SM::Fit_stop::TOLERANCE:
-    return "tolerance";
-  case SM::Fit_stop::CONTROLS:
-    return "controls";
-  case SM::Fit_stop::STAGNATION:
-    return "stagnation";
-  case SM::Fit_stop::RESOLUTION:
-    return "resolution";
-  }
-  return "";
-}
-
 template <class F>
 auto value_of(const F& f)
 {

@@ -11,27 +11,14 @@ import shutil
 import subprocess
 import sys
 
+from reader_checks import Checks, node_package, skip
+
 VALIDATOR = "gltf-validator@2.0.0-dev.3.10"
 
 
-def skip(why):
-    print("skipped:", why)
-    sys.exit(77)
-
-
-class Checks:
-    failures = 0
-    count = 0
-
-    def equal(self, what, found, expected):
-        self.count += 1
-        if found != expected:
-            self.failures += 1
-            print(f"{what}: {found!s:.300} instead of {expected!s:.300}")
-
-    def near(self, what, found, expected, tolerance):
-        is_near = len(found) == len(expected) and all(abs(f - e) <= tolerance for f, e in zip(found, expected))
-        self.equal(what, expected if is_near else found, expected)
+def check_near(check, what, found, expected, tolerance):
+    is_near = len(found) == len(expected) and all(abs(f - e) <= tolerance for f, e in zip(found, expected))
+    check.equal(what, expected if is_near else found, expected)
 
 
 def check_assimp(folder, expected, check):
@@ -67,7 +54,7 @@ def check_assimp(folder, expected, check):
             # The box of a raw import of glTF is that before the translation of the node.
             for end in ("low", "high") if extension != "glb" else ():
                 found = point("Minimum" if end == "low" else "Maximum")
-                check.near(f"{file.name}: {end} point", found, e[end], 1e-5)
+                check_near(check, f"{file.name}: {end} point", found, e[end], 1e-5)
 
 
 def check_vtk(folder, expected, check):
@@ -93,7 +80,7 @@ def check_vtk(folder, expected, check):
         for extension, kind in (("obj", vtkOBJReader), ("ply", vtkPLYReader), ("vtp", vtkXMLPolyDataReader)):
             mesh = read(kind(), folder / f"{name}.{extension}")
             check.equal(f"{name}.{extension}: faces", mesh.GetNumberOfCells(), e["faces"])
-            check.near(f"{name}.{extension}: box", mesh.GetBounds(), box, 1e-6)
+            check_near(check, f"{name}.{extension}: box", mesh.GetBounds(), box, 1e-6)
             if extension != "obj": # there VTK has one vertex per corner
                 check.equal(f"{name}.{extension}: vertices", mesh.GetNumberOfPoints(), e["vertices"])
         # the VTK file, bit for bit
@@ -136,20 +123,12 @@ def check_vtk(folder, expected, check):
         check.equal(f"{name}.glb: images", reader.GetNumberOfTextures(), e["images"])
         bounds = [p.GetBounds() for p in parts]
         found = [(max if i % 2 else min)(b[i] for b in bounds) for i in range(6)]
-        check.near(f"{name}.glb: box", found, box, 1e-5)
+        check_near(check, f"{name}.glb: box", found, box, 1e-5)
 
 
 def check_gltf_validator(folder, expected, check):
-    npm, node = shutil.which("npm"), shutil.which("node")
-    if not npm or not node:
-        skip("npm or node is not installed, which the validator of Khronos needs")
     tools = folder / "node"
-    if not (tools / "node_modules" / "gltf-validator").is_dir():
-        tools.mkdir(exist_ok=True)
-        run = subprocess.run([npm, "install", "--no-audit", "--no-fund", "--prefix", str(tools), VALIDATOR],
-                             capture_output=True, text=True, cwd=tools)
-        if run.returncode:
-            skip(f"npm cannot get {VALIDATOR}: {run.stderr.strip().splitlines()[-1:]}")
+    node = node_package(tools, VALIDATOR)
     script = """const validator = require('gltf-validator'), fs = require('fs');
       Promise.all(process.argv.slice(1).map(f => validator.validateBytes(new Uint8Array(fs.readFileSync(f)))))
         .then(reports => console.log(JSON.stringify(reports)))"""
@@ -176,9 +155,7 @@ def main():
     check = Checks()
     readers = {"assimp": check_assimp, "vtk": check_vtk, "gltf_validator": check_gltf_validator}
     readers[reader](folder, expected, check)
-    print(f"{reader}: {check.count} checks, {check.failures} failures")
-    return 1 if check.failures or not check.count else 0
+    check.finish(reader)
 
 
-if __name__ == "__main__":
-    sys.exit(main())
+main()

@@ -8,33 +8,16 @@ OpenNURBS, the kernel of Rhino, which does not read STEP, check_step_rhino.cjs g
 import json
 import math
 import pathlib
-import shutil
 import subprocess
 import sys
+
+from reader_checks import Checks, node_package, skip
 
 RHINO = "rhino3dm@8"
 
 
-def skip(why):
-    print("skipped:", why)
-    sys.exit(77)
-
-
-class Checks:
-    failures = 0
-    count = 0
-
-    def true(self, what, is_true):
-        self.count += 1
-        if not is_true:
-            self.failures += 1
-            print("wrong:", what)
-
-    def equal(self, what, found, expected):
-        self.true(f"{what}: {found} instead of {expected}", found == expected)
-
-    def volume(self, what, found, expected): # OpenCASCADE's quadrature has a hundredth of error
-        self.true(f"{what}: volume {found} instead of {expected}", math.isclose(found, expected, rel_tol=0.02))
+def check_volume(check, what, found, expected): # OpenCASCADE's quadrature has a hundredth of error
+    check.true(f"{what}: volume {found} instead of {expected}", math.isclose(found, expected, rel_tol=0.02))
 
 
 def check_freecad(folder, expected, check):
@@ -55,7 +38,7 @@ def check_freecad(folder, expected, check):
             check.true(f"{name}: closed", solid.isClosed())
         if e["solids"] == 0:
             continue
-        check.volume(name, shape.Volume / e["unit"] ** 3, e["volume"])
+        check_volume(check, name, shape.Volume / e["unit"] ** 3, e["volume"])
         # a box cuts about half of it off
         b, far = shape.BoundBox, 2 * shape.BoundBox.DiagonalLength
         corner = FreeCAD.Vector((b.XMin + b.XMax) / 2 + 1e-3 * far, b.YMin - far / 4, b.ZMin - far / 4)
@@ -96,16 +79,8 @@ def check_gmsh(folder, expected, check):
 
 
 def check_rhino(folder, expected, check):
-    npm, node = shutil.which("npm"), shutil.which("node")
-    if not npm or not node:
-        skip("npm or node is not installed, which OpenNURBS comes with")
     tools = folder / "node_rhino"
-    if not (tools / "node_modules" / "rhino3dm").is_dir():
-        tools.mkdir(exist_ok=True)
-        run = subprocess.run([npm, "install", "--no-audit", "--no-fund", "--prefix", str(tools), RHINO],
-                             capture_output=True, text=True, cwd=tools)
-        if run.returncode:
-            skip(f"npm cannot get {RHINO}: {run.stderr.strip().splitlines()[-1:]}")
+    node = node_package(tools, RHINO)
     script = pathlib.Path(__file__).resolve().with_name("check_step_rhino.cjs")
     run = subprocess.run([node, script, str(tools.resolve()), *(str(folder / f"{name}.step") for name in expected)],
                          capture_output=True, text=True)
@@ -122,8 +97,7 @@ def main():
     expected = json.loads((folder / "expected_step.json").read_text())
     check = Checks()
     {"freecad": check_freecad, "gmsh": check_gmsh, "rhino": check_rhino}[program](folder, expected, check)
-    print(f"{program}: {check.count} checks, {check.failures} failures")
-    sys.exit(check.failures > 0)
+    check.finish(program)
 
 
 main()

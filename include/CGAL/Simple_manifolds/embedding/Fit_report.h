@@ -46,6 +46,24 @@ enum class Fit_stop {
 
 /// \ingroup PkgSimpleManifoldsEmbedding
 ///
+/// What a `Fit_stop` is called in files: "tolerance", "controls", "stagnation" or "resolution".
+inline const char* name_of(Fit_stop stop)
+{
+  switch (stop) {
+  case Fit_stop::TOLERANCE:
+    return "tolerance";
+  case Fit_stop::CONTROLS:
+    return "controls";
+  case Fit_stop::STAGNATION:
+    return "stagnation";
+  case Fit_stop::RESOLUTION:
+    return "resolution";
+  }
+  return "";
+}
+
+/// \ingroup PkgSimpleManifoldsEmbedding
+///
 /// How well a surface was fitted, and at what cost.
 struct Fit_report : Fit_errors {
   /// One chart.

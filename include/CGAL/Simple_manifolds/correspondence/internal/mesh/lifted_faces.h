@@ -10,14 +10,11 @@
 
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Corner_table.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/mesh/split_edges.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/split_long_edges.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -74,58 +71,34 @@ std::vector<Lifted_face> lifted_faces(const std::vector<Triangle>& triangles, co
   return faces;
 }
 
-inline std::vector<Triangle> triangles_of(const std::vector<Lifted_face>& faces)
-{
-  std::vector<Triangle> triangles;
-  for (const Lifted_face& f : faces) triangles.push_back({f[0].vertex, f[1].vertex, f[2].vertex});
-  return triangles;
-}
-
-// Splits long edges at their middles until there are none.
-// The virtual faces are the last ones, before and after. Returns per face the one before that it is a part of.
-inline std::vector<int> split_long_edges(std::vector<Lifted_face>& faces,
-                                         std::vector<Eigen::Vector3d>& points,
-                                         std::vector<Eigen::Vector2d>& domain_points,
-                                         std::size_t& number_of_virtual_faces)
-{
-  const auto is_long = [](const Lifted_face& f, int k) {
-    return is_long_edge(f[k].lift, f[(k + 1) % 3].lift);
-  };
-  const auto has_long = [&](const Lifted_face& f) { return is_long(f, 0) || is_long(f, 1) || is_long(f, 2); };
-  std::vector<int> parents(faces.size());
-  std::iota(parents.begin(), parents.end(), 0);
-  while (std::any_of(faces.begin(), faces.end(), has_long)) {
-    const Corner_table table(static_cast<int>(points.size()), triangles_of(faces));
-    std::vector<int> middle(3 * faces.size(), -1); // of half-edges
-    std::vector<Lifted_face> result;
-    std::vector<int> parents_of_result;
-    std::size_t real = 0;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      if (f + number_of_virtual_faces == faces.size()) real = result.size();
-      std::array<bool, 3> split;
-      std::array<Lifted_corner, 3> corner;
-      for (int k = 0; k < 3; ++k) {
-        split[k] = is_long(faces[f], k);
-        if (!split[k]) continue;
-        const int h = static_cast<int>(3 * f) + k;
-        const Lifted_corner &a = faces[f][k], &b = faces[f][(k + 1) % 3];
-        const Eigen::Vector2d lift = (a.lift + b.lift) / 2; // exact: one more binary place
-        if (middle[h] < 0) {
-          middle[h] = middle[table.opposite(h)] = static_cast<int>(points.size());
-          points.push_back(points[a.vertex] / 2 + points[b.vertex] / 2);
-          domain_points.push_back(lift - lift.array().floor().matrix());
-        }
-        corner[k] = {middle[h], lift};
-      }
-      split_triangle(faces[f], split, corner, result);
-      parents_of_result.resize(result.size(), parents[f]);
-    }
-    number_of_virtual_faces = number_of_virtual_faces == 0 ? 0 : result.size() - real;
-    faces.swap(result);
-    parents.swap(parents_of_result);
+// Splits long edges: see split_long_edges().
+class Lifted_edges {
+public:
+  Lifted_edges(std::vector<Eigen::Vector3d>& points, std::vector<Eigen::Vector2d>& domain_points)
+    : points_(points), domain_points_(domain_points)
+  {
   }
-  return parents;
-}
+
+  bool is_long(const Lifted_corner& a, const Lifted_corner& b) const { return is_long_edge(a.lift, b.lift); }
+
+  Lifted_corner add_middle(const Lifted_corner& a, const Lifted_corner& b)
+  {
+    const Eigen::Vector2d lift = (a.lift + b.lift) / 2; // exact: one more binary place
+    points_.push_back(points_[a.vertex] / 2 + points_[b.vertex] / 2);
+    domain_points_.push_back(lift - lift.array().floor().matrix());
+    return {static_cast<int>(points_.size()) - 1, lift};
+  }
+
+  Lifted_corner middle_beyond(const Lifted_corner& a, const Lifted_corner& b, const Lifted_corner& m,
+                              const Lifted_corner&) const
+  {
+    return {m.vertex, (a.lift + b.lift) / 2};
+  }
+
+private:
+  std::vector<Eigen::Vector3d>& points_;
+  std::vector<Eigen::Vector2d>& domain_points_;
+};
 
 } // namespace internal
 } // namespace Simple_manifolds

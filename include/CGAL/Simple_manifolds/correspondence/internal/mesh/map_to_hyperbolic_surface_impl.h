@@ -9,8 +9,8 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MAP_TO_HYPERBOLIC_SURFACE_IMPL_H
 
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Hyperbolic_geometry.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/mesh/Hyperbolic_faces.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/certified_map.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/framed_faces.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/lifted_faces.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_hyperbolic_surface.h>
 
@@ -29,7 +29,7 @@ namespace internal {
 // Where the vertices lie, and the faces.
 struct Hyperbolic_placement {
   std::vector<Eigen::Vector3d> domain_points;
-  std::vector<Hyperbolic_faces::Face> faces;
+  std::vector<Framed_face> faces;
 };
 
 // (tile,u,v), u and v multiples of 2^-52.
@@ -59,9 +59,8 @@ Manifold_map<Hyperbolic_atlas> map_to_hyperbolic_surface(const Mesh_arrays& a, c
         placed.domain_points[v] = tile_point_of(geometry.tile(number(v)), geometry.position(number(v)));
       for (const Triangle& t : a.triangles) { // in the frames of their first corners
         const int h = half_edge_between(mesh.table(), number(t[0]), number(t[1]));
-        placed.faces.push_back({Hyperbolic_faces::Corner{t[0], Tile_isometry()},
-                                Hyperbolic_faces::Corner{t[1], geometry.deck(h)},
-                                Hyperbolic_faces::Corner{t[2], geometry.deck(mesh.table().rotate(h))}});
+        placed.faces.push_back({Framed_corner{t[0], Tile_isometry()}, Framed_corner{t[1], geometry.deck(h)},
+                                Framed_corner{t[2], geometry.deck(mesh.table().rotate(h))}});
       }
       return placed;
     },
@@ -70,15 +69,15 @@ Manifold_map<Hyperbolic_atlas> map_to_hyperbolic_surface(const Mesh_arrays& a, c
       std::vector<Eigen::Vector3d> points = a.points;
       std::size_t number_of_virtual_faces = a.number_of_virtual_faces;
       std::vector<int> parents =
-        Hyperbolic_faces(atlas, points, domain_points).split_long_edges(faces, number_of_virtual_faces);
+        split_long_edges(faces, points, number_of_virtual_faces, Framed_edges(atlas, points, domain_points));
       if (points.size() == a.points.size())
         return Manifold_map<Hyperbolic_atlas>(a.points, a.triangles, std::move(domain_points),
                                               a.number_of_input_vertices, a.number_of_virtual_faces, a.input,
                                               atlas);
       parents.resize(faces.size() - number_of_virtual_faces);
-      return Manifold_map<Hyperbolic_atlas>(
-        std::move(points), Hyperbolic_faces::triangles(faces), std::move(domain_points),
-        a.number_of_input_vertices, number_of_virtual_faces, a.input.of_parts(std::move(parents)), atlas);
+      return Manifold_map<Hyperbolic_atlas>(std::move(points), triangles_of(faces), std::move(domain_points),
+                                            a.number_of_input_vertices, number_of_virtual_faces,
+                                            a.input.of_parts(std::move(parents)), atlas);
     });
 }
 

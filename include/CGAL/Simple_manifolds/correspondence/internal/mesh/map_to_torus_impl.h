@@ -54,7 +54,8 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a,
                                          a.number_of_input_vertices, a.number_of_virtual_faces, a.input);
       std::vector<Eigen::Vector3d> points = a.points;
       std::size_t number_of_virtual_faces = a.number_of_virtual_faces;
-      std::vector<int> parents = split_long_edges(faces, points, domain_points, number_of_virtual_faces);
+      std::vector<int> parents =
+        split_long_edges(faces, points, number_of_virtual_faces, Lifted_edges(points, domain_points));
       parents.resize(faces.size() - number_of_virtual_faces);
       return Manifold_map<Torus_atlas>(std::move(points), triangles_of(faces), std::move(domain_points),
                                        a.number_of_input_vertices, number_of_virtual_faces,
