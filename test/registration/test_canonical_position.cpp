@@ -1,6 +1,7 @@
 #include "blobs.h"
 #include "catch.h"
 
+#include <CGAL/Simple_manifolds/correspondence/map_to_plane.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_torus.h>
 #include <CGAL/Simple_manifolds/registration/canonical_position.h>
@@ -135,6 +136,43 @@ TEST_CASE("the torus is translated to where the shape says")
       largest = (std::max)(largest, d.norm());
     }
   CHECK(largest < 0.02);
+}
+
+TEST_CASE("the square is turned as the shape says: a corner that is far out is the origin")
+{
+  // a sheet of which one corner is pulled out; `first`: the corner that the numbers begin at
+  const auto sheet = [](int first, double pull, double noise) {
+    constexpr int n = 12;
+    std::mt19937 random(5);
+    std::vector<Vector3d> points;
+    std::vector<Triangle> faces;
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j) {
+        Vector2d p(static_cast<double>(i) / n, static_cast<double>(j) / n);
+        for (int turns = first; turns > 0; --turns) p = Vector2d(1 - p[1], p[0]);
+        p += pull * p[0] * p[1] * Vector2d(1, 1);
+        points.emplace_back(p[0], p[1], noise * static_cast<double>(random()) / 4294967296.);
+        if (i == n || j == n) continue;
+        const int v = i * (n + 1) + j, w = v + n + 1;
+        faces.push_back({v, w, w + 1});
+        faces.push_back({v, w + 1, v + 1});
+      }
+    return map_to_plane(points, faces);
+  };
+  for (int first = 0; first < 4; ++first)
+    for (const double noise : {0., 1e-3}) {
+      bool is_ambiguous = true;
+      const auto map = canonical_position(sheet(first, 0.5, noise), Position_frame::SHAPE, &is_ambiguous);
+      CHECK_FALSE(is_ambiguous);
+      CHECK(map.certificate().is_valid());
+      std::size_t origin = 0;
+      for (std::size_t v = 0; v < map.number_of_vertices(); ++v)
+        if (map.domain_point(v) == Vector2d(0, 0)) origin = v;
+      CHECK((map.point(origin).head<2>() - Vector2d(1.5, 1.5)).norm() < 1e-9);
+    }
+  bool is_ambiguous = false;
+  canonical_position(sheet(0, 0, 0), Position_frame::SHAPE, &is_ambiguous);
+  CHECK(is_ambiguous);
 }
 
 } // namespace test_canonical_position

@@ -87,34 +87,46 @@ public:
       landmarks.push_back({l.first, source_.domain_points[l.first], 1});
     Registration_course course;
     const Lift<Geometry> lift = target_.lift();
-    auto points =
-      Coarse_to_fine_registration<Geometry>(source_, lift, landmarks, options_, true)
-        .run(course, [&](double fraction) { request_.visitor.progress(0.4 * (std::min)(fraction, 1.)); });
+    Coarse_to_fine_registration<Geometry> again(source_, lift, landmarks, options_, true);
+    const auto progress = [&](double fraction) { request_.visitor.progress(0.4 * (std::min)(fraction, 1.)); };
+    if (!again.begin(course, progress)) return;
+    auto points = again.finish(course, progress);
     if (!points || !course.unreached.empty()) return;
     std::swap(source_.domain_points, *points);
     if (!is_better()) std::swap(source_.domain_points, *points);
   }
 
-  // Passes of the finest level over the source and the target, by turns.
+  // Passes of the finest level over the source and the target, by turns. Then more of them where the distortion is large,
+  // for as long as that helps.
   void polish()
   {
     const bool is_fast = request_.effort == Effort::FAST;
-    const int passes = request_.effort == Effort::QUALITY ? 9 : 5, worst = is_fast ? 0 : 20;
+    const int passes = request_.effort == Effort::QUALITY ? 9 : 5, more = is_fast ? 0 : 8;
     for (int pass = 0; pass < passes; ++pass) {
-      const bool is_source = request_.has_fixed_target || pass % 2 == 0;
-      const int sweeps = (pass == 0 ? 20 : 4) / (is_fast ? 2 : 1);
-      Registered_surface<Geometry>& moved = is_source ? source_ : target_;
-      std::vector<typename Geometry::Point> before = moved.domain_points;
-      if (is_source)
-        on_source_.run(source_, target_.lift(), sweeps, worst);
-      else
-        on_target_.run(target_, source_.lift(), sweeps, worst);
-      if (!is_better()) moved.domain_points = std::move(before);
-      request_.visitor.progress(0.4 + 0.6 * (pass + 1.) / passes);
+      run_pass(pass, (pass == 0 ? 20 : 4) / (is_fast ? 2 : 1), is_fast ? 0 : 20);
+      request_.visitor.progress(0.4 + 0.6 * (pass + 1.) / (passes + more));
+    }
+    for (int pass = passes; pass + 1 < passes + more; pass += 2) {
+      const double before = report_.energies.back();
+      for (const int k : {pass, pass + 1}) run_pass(k, 0, 40);
+      if (report_.energies.back() > 0.97 * before) return;
+      request_.visitor.progress(0.4 + 0.6 * (pass + 2.) / (passes + more));
     }
   }
 
 private:
+  void run_pass(int pass, int sweeps, int sweeps_of_worst)
+  {
+    const bool is_source = request_.has_fixed_target || pass % 2 == 0;
+    Registered_surface<Geometry>& moved = is_source ? source_ : target_;
+    std::vector<typename Geometry::Point> before = moved.domain_points;
+    if (is_source)
+      on_source_.run(source_, target_.lift(), sweeps, sweeps_of_worst);
+    else
+      on_target_.run(target_, source_.lift(), sweeps, sweeps_of_worst);
+    if (!is_better()) moved.domain_points = std::move(before);
+  }
+
   std::vector<int> frozen(int std::pair<int, int>::*side) const
   {
     std::vector<int> vertices;
@@ -140,53 +152,103 @@ private:
   Registration_polish<Geometry> on_source_, on_target_;
 };
 
+// One of two surfaces laid out coarse to fine against the other one.
+template <class Geometry>
+struct One_way {
+  using Landmarks = std::vector<Indexed_landmark<typename Geometry::Point>>;
+
+  One_way(const Registered_surface<Geometry>& moved, const Registered_surface<Geometry>& fixed, bool is_back,
+          const Landmarks& landmarks, const Registration_options& options)
+    : is_backwards(is_back), lift(fixed.lift()), layout(moved, lift, landmarks, options)
+  {
+  }
+
+  bool is_backwards; // the target is moved
+  Lift<Geometry> lift;
+  Coarse_to_fine_registration<Geometry> layout;
+  Registration_course course;
+  std::optional<std::vector<typename Geometry::Point>> points; // the result
+};
+
+// Lays out the source against the target, or the other way where that promises less distortion: moved faces of one can be
+// too coarse for a limb of the other one, and seldom both. No points: doubles do not suffice.
+template <class Geometry>
+std::unique_ptr<One_way<Geometry>>
+better_way(const Registered_surface<Geometry>& a, const Registered_surface<Geometry>& b,
+           const Registration_request& request, const Registration_options& options)
+{
+  using Way = One_way<Geometry>;
+  constexpr double doubtful = 0.3; // mean logarithm of the distortion
+  const auto progress = [&](double fraction) { request.visitor.progress((std::min)(fraction, 1.)); };
+  const auto begun = [&](bool is_back) {
+    typename Way::Landmarks landmarks;
+    for (const auto& l : request.landmarks)
+      landmarks.push_back(
+        is_back ? Indexed_landmark<typename Geometry::Point>{l.second, a.domain_points[l.first], 1}
+                : Indexed_landmark<typename Geometry::Point>{l.first, b.domain_points[l.second], 1});
+    auto way = std::make_unique<Way>(is_back ? b : a, is_back ? a : b, is_back, landmarks, options);
+    if (!way->layout.begin(way->course, progress)) way.reset();
+    return way;
+  };
+  const auto finish = [&](Way& way) {
+    way.points = way.layout.finish(way.course, progress);
+    return way.points && way.course.unreached.empty();
+  };
+  std::unique_ptr<Way> forward = begun(false), back;
+  if (!forward) return nullptr;
+  const double energy = forward->layout.coarse_energy();
+  if (!request.has_fixed_target && !(energy <= doubtful)) {
+    back = begun(true);
+    if (back && back->layout.coarse_energy() < energy && finish(*back)) return back;
+  }
+  if (finish(*forward)) return forward;
+  if (back && !back->points && finish(*back)) return back;
+  return forward;
+}
+
 template <class Atlas>
 Correspondence<Atlas> registered(const Manifold_map<Atlas>& source, const Manifold_map<Atlas>& target,
                                  const Registration_request& asked, Registration_report& report)
 {
   using Geometry = typename Registration_geometry_of<Atlas>::type;
-  using Point = typename Atlas::Domain_point;
   Registration_request request = asked;
   request.landmarks = consistent_pairs(std::move(request.landmarks));
   report = Registration_report();
   report.landmarks = request.landmarks.size();
-  std::vector<Indexed_landmark<Point>> landmarks;
-  for (const auto& l : request.landmarks) landmarks.push_back({l.first, target.domain_point(l.second), 1});
-
-  Registered_surface<Geometry> a(source.points(), source.faces(), source.domain_points());
-  Registered_surface<Geometry> b(target.points(), target.faces(), target.domain_points());
-  const Lift<Geometry> lift = b.lift();
+  const Registered_surface<Geometry> a(source.points(), source.faces(), source.domain_points());
+  const Registered_surface<Geometry> b(target.points(), target.faces(), target.domain_points());
   Registration_options options;
   options.is_parallel = request.is_parallel;
   options.sweeps = request.effort == Effort::FAST ? 0.5 : request.effort == Effort::QUALITY ? 2 : 1;
   std::string fault; // of the last attempt
   for (int attempt = 0; attempt < number_of_attempts; ++attempt) {
     request.visitor.start_phase("register");
-    Registration_course course;
-    std::optional<std::vector<Point>> points =
-      Coarse_to_fine_registration<Geometry>(a, lift, landmarks, options).run(course, [&](double fraction) {
-        request.visitor.progress((std::min)(fraction, 1.));
-      });
+    const std::unique_ptr<One_way<Geometry>> way = better_way(a, b, request, options);
     request.visitor.end_phase();
-    if (points && !course.unreached.empty()) {
+    if (way && way->points && !way->course.unreached.empty()) {
       std::vector<std::pair<int, int>> bad;
-      for (const int i : course.unreached) bad.push_back(request.landmarks[i]);
-      throw_landmarks_not_met(bad, landmarks.size(),
+      for (const int i : way->course.unreached) bad.push_back(request.landmarks[i]);
+      throw_landmarks_not_met(bad, request.landmarks.size(),
                               "cannot be met with the connectivity of the first shape");
     }
-    if (points) {
-      Registered_surface<Geometry> c(source.points(), source.faces(), std::move(*points)), d = b;
-      report.exact_at = course.exact_at;
-      report.rotations = std::move(course.rotations);
+    if (way && way->points) {
+      Registered_surface<Geometry> moved = way->is_backwards ? b : a, other = way->is_backwards ? a : b;
+      moved.domain_points = std::move(*way->points);
+      report.exact_at = way->course.exact_at;
+      report.rotations = std::move(way->course.rotations);
       request.visitor.start_phase("polish");
-      Registration_improvement<Geometry> improvement(c, d, request, options, report);
+      Registration_request of_way = request;
+      if (way->is_backwards)
+        for (auto& l : of_way.landmarks) std::swap(l.first, l.second);
+      Registration_improvement<Geometry> improvement(moved, other, of_way, options, report);
       if (request.effort != Effort::FAST) improvement.lay_out_again();
       improvement.polish();
       request.visitor.end_phase();
       request.visitor.start_phase("certify");
       try {
-        Correspondence<Atlas> result(with_domain_points(source, std::move(c.domain_points)),
-                                     with_domain_points(target, std::move(d.domain_points)));
+        if (way->is_backwards) std::swap(moved.domain_points, other.domain_points);
+        Correspondence<Atlas> result(with_domain_points(source, std::move(moved.domain_points)),
+                                     with_domain_points(target, std::move(other.domain_points)));
         request.visitor.end_phase();
         return result;
       } catch (const Numeric_error& e) { // begin anew with a better conditioned energy

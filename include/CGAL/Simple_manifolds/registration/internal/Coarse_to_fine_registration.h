@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -62,43 +62,51 @@ public:
       if (has_search_ && !is_placed_ && landmarks_.size() >= 3) rotate_full_map();
   }
 
-  // The domain points of the source in the order of its vertices; nothing if doubles do not suffice.
+  // As far as the level on which the source is aligned and the landmarks are met for the first time. False if doubles do
+  // not suffice.
   template <class Progress>
-  std::optional<std::vector<Point>> run(Registration_course& course, const Progress& progress)
+  bool begin(Registration_course& course, const Progress& progress)
   {
-    Collapse_hierarchy& mesh = levels_.mesh;
-    if (!lay_out_base()) return std::nullopt;
+    if (!lay_out_base()) return false;
     layout_.update_mesh();
     draw();
     layout_.sweep(50);
     const int start_size = (std::max)(250, 8 * static_cast<int>(landmarks_.size()));
-    bool has_started = false;
+    while (layout_.number_of_vertices() < start_size && !is_finest()) {
+      const int first = refine();
+      draw();
+      if (!layout_.place(first)) return false;
+      if (!has_search_) geometry_.align(active_landmarks());
+      sweep_level(progress);
+    }
+    start(course, progress);
+    return true;
+  }
+
+  // After begin(): the mean logarithm of the distortion, 0 for an isometry; infinite while landmarks are not met.
+  double coarse_energy()
+  {
+    if (!is_exact_) return std::numeric_limits<double>::infinity();
+    layout_.lift_all();
+    return layout_.composed().chordal_mean(true);
+  }
+
+  // After begin(): the domain points of the source in the order of its vertices; nothing if doubles do not suffice.
+  template <class Progress>
+  std::optional<std::vector<Point>> finish(Registration_course& course, const Progress& progress)
+  {
     while (true) {
-      const bool is_finest = mesh.level() == mesh.number_of_levels();
-      if (!has_started && (layout_.number_of_vertices() >= start_size || is_finest)) {
-        has_started = true;
-        start(course, progress);
-      } else if (has_started && !is_exact_) {
-        reach_landmarks(is_finest);
-      }
       if (is_exact_ && !landmarks_.empty() && course.exact_at == 0)
         course.exact_at = layout_.number_of_vertices();
-      if (is_finest) break;
-      const int first = layout_.number_of_vertices();
-      geometry_.start_level(mesh);
-      mesh.refine([&](int h) { geometry_.restore(mesh.table(), h); });
-      layout_.update_mesh();
-      if (!has_started) draw();
-      if (has_started && is_exact_) layout_.set_stage(Stage::CHORDAL);
+      if (is_finest()) break;
+      const int first = refine();
+      if (is_exact_) layout_.set_stage(Stage::CHORDAL);
       if (!layout_.place(first)) return std::nullopt;
-      if (!has_started && !has_search_) geometry_.align(active_landmarks());
-      const double n = layout_.number_of_vertices(), N = mesh.number_of_vertices();
-      progress(0.2 + 0.8 * n / N);
-      const bool is_last = mesh.level() == mesh.number_of_levels();
-      layout_.sweep(sweeps(is_last ? 8. : (std::min)(100., (std::max)(4 * std::sqrt(N / n), 3e4 / n))));
+      sweep_level(progress);
+      if (!is_exact_) reach_landmarks(is_finest());
     }
     course.unreached = unreached();
-    geometry_.start_level(mesh); // on the torus it takes the copies that are domain points
+    geometry_.start_level(levels_.mesh); // on the torus it takes the copies that are domain points
     return points();
   }
 
@@ -108,6 +116,23 @@ private:
     std::vector<int> v;
     for (const auto& l : landmarks) v.push_back(l.vertex);
     return v;
+  }
+  bool is_finest() const { return levels_.mesh.level() == levels_.mesh.number_of_levels(); }
+  // Brings the next level back; the first one of its vertices.
+  int refine()
+  {
+    const int first = layout_.number_of_vertices();
+    geometry_.start_level(levels_.mesh);
+    levels_.mesh.refine([&](int h) { geometry_.restore(levels_.mesh.table(), h); });
+    layout_.update_mesh();
+    return first;
+  }
+  template <class Progress>
+  void sweep_level(const Progress& progress)
+  {
+    const double n = layout_.number_of_vertices(), N = levels_.mesh.number_of_vertices();
+    progress(0.2 + 0.8 * n / N);
+    layout_.sweep(sweeps(is_finest() ? 8. : (std::min)(100., (std::max)(4 * std::sqrt(N / n), 3e4 / n))));
   }
   int sweeps(double n) const { return (std::max)(1, static_cast<int>(std::lround(n * options_.sweeps))); }
 
