@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Domain_shape.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
+#include <CGAL/Simple_manifolds/atlas/Torus_chart.h>
 #include <CGAL/Simple_manifolds/atlas/internal/barycentric.h>
 #include <CGAL/Simple_manifolds/atlas/internal/exact_sign.h>
 #include <CGAL/Simple_manifolds/atlas/internal/flat_geometry.h>
@@ -56,8 +57,7 @@ class Torus_batch_weights;
 ///
 /// \cgalModels{ManifoldAtlas}
 class Torus_atlas {
-  // Rounded down, both: 1/3 and 2/3 lie between these numbers and the next larger ones.
-  static constexpr double third = 1. / 3, two_thirds = 2. / 3;
+  using Circle = internal::Circle_charts;
 
 public:
   using Domain_point = Eigen::Vector2d;          ///< (u,v), each in [0,1)
@@ -101,60 +101,7 @@ public:
     bool is_identity() const { return shift.isZero(); }
   };
 
-  /// One chart: the same thing in both directions, the column of the chart in u, its row in v.
-  /// \cgalModels{ManifoldChart}
-  class Chart {
-  public:
-    using Domain_point = Torus_atlas::Domain_point; ///< (u,v), each in [0,1)
-
-    /// \pre `0 <= c < 9`
-    explicit Chart(int c) : column_(c % 3), row_(c / 3)
-    {
-      CGAL_precondition(0 <= c && c < number_of_charts());
-    }
-
-    /// Whether the open chart contains `p`: exact.
-    bool contains(const Domain_point& p) const
-    {
-      return Torus_atlas::contains(column_, p[0]) && Torus_atlas::contains(row_, p[1]);
-    }
-
-    /// The coordinates of `p` in the open unit square.
-    /// \pre `contains(p)`
-    Eigen::Vector2d coordinates(const Domain_point& p) const
-    {
-      CGAL_precondition(contains(p));
-      return {Torus_atlas::coordinate(column_, p[0]), Torus_atlas::coordinate(row_, p[1])};
-    }
-
-    /// The domain point with the coordinates `uv`.
-    /// \pre `uv` in [0,1]^2
-    Domain_point point(const Eigen::Vector2d& uv) const
-    {
-      CGAL_precondition(uv.minCoeff() >= 0 && uv.maxCoeff() <= 1);
-      return {Torus_atlas::position(column_, uv[0]), Torus_atlas::position(row_, uv[1])};
-    }
-
-    /// The domain point with the coordinates `uv`, and its derivatives by them.
-    Domain_jet point_jet(const Eigen::Vector2d& uv) const { return jet_at(point(uv)); }
-
-    /// The same at the coordinates of the domain point `p`.
-    Domain_jet jet_at(const Domain_point& p) const
-    {
-      const Domain_point zero(0, 0);
-      return {p, {two_thirds, 0}, {0, two_thirds}, zero, zero, zero};
-    }
-
-    /// The coordinates of the point of a jet, with the derivatives that follow by the chain rule.
-    /// \pre `contains(p.value)`
-    Transition_jet coordinates_jet(const Domain_jet& p) const
-    {
-      return {coordinates(p.value), 1.5 * p.u, 1.5 * p.v, 1.5 * p.uu, 1.5 * p.uv, 1.5 * p.vv};
-    }
-
-  private:
-    int column_, row_;
-  };
+  using Chart = Torus_chart; ///< one chart
 
   /// Chart c. \pre `0 <= c < 9`
   Chart chart(int c) const { return Chart(c); }
@@ -177,13 +124,13 @@ public:
   {
     Chart_list list;
     for (int row = 0; row < 3; ++row) {
-      if (!contains(row, p[1])) {
+      if (!Circle::contains(row, p[1])) {
         continue;
       }
-      const double t = coordinate(row, p[1]);
+      const double t = Circle::coordinate(row, p[1]);
       for (int column = 0; column < 3; ++column) {
-        if (contains(column, p[0])) {
-          list.push_back({column + 3 * row, {coordinate(column, p[0]), t}});
+        if (Circle::contains(column, p[0])) {
+          list.push_back({column + 3 * row, {Circle::coordinate(column, p[0]), t}});
         }
       }
     }
@@ -209,7 +156,7 @@ public:
   /// \pre both charts contain the point
   Eigen::Vector2d transition(int i, int j, const Eigen::Vector2d& uv) const
   {
-    return {translate(i % 3, j % 3, uv[0]), translate(i / 3, j / 3, uv[1])};
+    return {Circle::translate(i % 3, j % 3, uv[0]), Circle::translate(i / 3, j / 3, uv[1])};
   }
 
   /// The same with its derivatives: the identity, and zero.
@@ -486,36 +433,6 @@ public:
   /// @}
 
 private:
-  // One direction: the interval (i/3, i/3 + 2/3) modulo 1, its coordinate, and back.
-
-  static bool contains(int i, double u)
-  {
-    return i == 0 ? u > 0 && u <= two_thirds : i == 1 ? u > third && u < 1 : u > two_thirds || u <= third;
-  }
-
-  static double coordinate(int i, double u)
-  {
-    const double s = 1.5 * u - 0.5 * i;
-    return internal::into_open_unit_interval(i == 2 && u <= third ? s + 1.5 : s);
-  }
-
-  static double position(int i, double s)
-  {
-    const double x = i + 2 * s;
-    return (x < 3 ? x : x - 3) / 3; // below 1: the quotient of the largest x below 3 is rounded down
-  }
-
-  // The transition in one direction: i - j thirds are as many halves of a chart, modulo 3/2.
-  static double translate(int i, int j, double s)
-  {
-    if (i == j) {
-      return s;
-    }
-    const bool is_up = (i - j + 3) % 3 == 1;
-    CGAL_precondition(is_up ? s > 0 && s < 0.5 : s > 0.5 && s < 1);
-    return internal::into_open_unit_interval(is_up ? s + 0.5 : s - 0.5);
-  }
-
   // Whether no copy of q is exactly half the torus from p.
   static bool has_nearest_copy(const Domain_point& p, const Domain_point& q)
   {

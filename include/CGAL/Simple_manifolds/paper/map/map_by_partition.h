@@ -242,6 +242,14 @@ private:
   Partition_report& report_;
 };
 
+// Whether there is a partition for an atlas: into one tile, or by partition_of_closed_mesh().
+template <class Atlas, class = void>
+inline constexpr bool has_partition = Atlas::has_single_chart;
+template <class Atlas>
+inline constexpr bool
+  has_partition<Atlas, std::void_t<decltype(partition_of_closed_mesh(
+                         std::declval<const Atlas&>(), std::declval<const Working_mesh&>(), 0))>> = true;
+
 template <class NamedParameters>
 Any_map map_by_partition(const Mesh_arrays& arrays, const NamedParameters& np)
 {
@@ -255,11 +263,11 @@ Any_map map_by_partition(const Mesh_arrays& arrays, const NamedParameters& np)
 
   return with_canonical_surface(arrays.topology, [&](auto type) -> Any_map {
     using Atlas = typename decltype(type)::Atlas;
-    if constexpr (std::is_same_v<Atlas, Hyperbolic_atlas>)
+    if constexpr (has_partition<Atlas>)
+      return Partition_mapper<Atlas>(arrays, weights, report).run(visitor);
+    else
       throw Topology_error(Error_code::wrong_genus,
                            arrays.topology.sentence() + ": the paper has partitions for genus 0 and 1 only");
-    else
-      return Partition_mapper<Atlas>(arrays, weights, report).run(visitor);
   });
 }
 

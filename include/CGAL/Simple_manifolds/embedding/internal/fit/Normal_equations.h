@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Chart_spline.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Leaf_pairs.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Local_stiffness.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/thin_plate_energy.h>
 #include <CGAL/Simple_manifolds/internal/Cholesky_solver.h>
@@ -98,11 +99,6 @@ public:
   int offset(int c) const { return offset_[c]; }
 
 private:
-  struct Item {
-    int leaf_a, sample;
-    unsigned char view_a, view_b; // relative to the first view of the sample
-  };
-
   // Some consecutive columns of a block.
   struct Columns {
     std::vector<int> end; // per column
@@ -163,88 +159,6 @@ private:
       }
   }
 
-  // The samples that the charts a and b both see, by leaf of b, then by leaf of a; and per pair of leaves
-  // a K x K matrix: the sum of w f_a f_b^T over the local functions, column by column of b.
-  struct Leaf_pairs {
-    std::vector<std::size_t> first_item; // per leaf of b
-    std::vector<Item> items;
-    std::vector<std::size_t> first_block; // per leaf of b
-    std::vector<int> leaf_a;              // per block
-    std::vector<double> blocks;
-  };
-
-  void sort_samples(int a, int b, const Fit_samples& samples, Leaf_pairs& pairs) const
-  {
-    const int leaves = splines_[b].tree().size();
-    std::vector<std::size_t>& first = pairs.first_item;
-    first.assign(leaves + 1, 0);
-    const auto leaf_of = [&](int s, int v) { return samples.views[samples.begin[s] + v].cell; };
-    const auto for_each_pair = [&](const auto& f) {
-      for (int s = 0; s < int(samples.size()); ++s)
-        if (const int v = samples.view_in(s, b); v >= 0)
-          if (const int u = samples.view_in(s, a); u >= 0) f(s, u, v);
-    };
-    for_each_pair([&](int s, int, int v) { ++first[leaf_of(s, v) + 1]; });
-    for (int leaf = 0; leaf < leaves; ++leaf) first[leaf + 1] += first[leaf];
-    pairs.items.resize(first[leaves]);
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
-    for_each_pair([&](int s, int u, int v) {
-      pairs.items[next[leaf_of(s, v)]++] = {leaf_of(s, u), s, (unsigned char)(u), (unsigned char)(v)};
-    });
-
-    pairs.first_block.assign(leaves + 1, 0);
-    for_each_piece(leaves, [&](int leaf) {
-      const auto from = pairs.items.begin() + first[leaf], to = pairs.items.begin() + first[leaf + 1];
-      std::stable_sort(from, to, [](const Item& x, const Item& y) { return x.leaf_a < y.leaf_a; });
-      std::size_t& count = pairs.first_block[leaf + 1];
-      for (auto item = from; item != to; ++item) count += item == from || item->leaf_a != (item - 1)->leaf_a;
-      if (a == b && count == 0) count = 1; // for the fairness
-    });
-    for (int leaf = 0; leaf < leaves; ++leaf) pairs.first_block[leaf + 1] += pairs.first_block[leaf];
-  }
-
-  template <int D>
-  void sum_products(int a, int b, const Fit_samples& samples, const std::vector<double>& joint_weight,
-                    const std::vector<double>& own_weight, Leaf_pairs& pairs) const
-  {
-    constexpr int K = (D + 1) * (D + 1);
-    const Chart_spline &rows = splines_[a], &columns = splines_[b];
-    const int leaves = columns.tree().size();
-    pairs.leaf_a.assign(pairs.first_block[leaves], -1);
-    pairs.blocks.assign(pairs.first_block[leaves] * K * K, 0);
-    for_each_piece(leaves, [&](int leaf) {
-      std::size_t block = pairs.first_block[leaf];
-      for (std::size_t k = pairs.first_item[leaf]; k < pairs.first_item[leaf + 1]; ++k) {
-        const Item& item = pairs.items[k];
-        if (pairs.leaf_a[block] >= 0 && pairs.leaf_a[block] != item.leaf_a) ++block;
-        pairs.leaf_a[block] = item.leaf_a;
-        const std::size_t u = samples.begin[item.sample] + item.view_a;
-        const std::size_t v = samples.begin[item.sample] + item.view_b;
-        const double w = joint_weight[item.sample] * samples.views[u].blend * samples.views[v].blend +
-                         (u == v ? own_weight[u] : 0);
-        if (w == 0) continue;
-        const auto f = local_values<D>(rows.tree(), item.leaf_a, samples.views[u].uv);
-        const auto g = local_values<D>(columns.tree(), leaf, samples.views[v].uv);
-        double* m = &pairs.blocks[block * K * K];
-        for (int j = 0; j < K; ++j, m += K)
-          for (int i = 0; i < K; ++i) m[i] += w * g[j] * f[i];
-      }
-    });
-  }
-
-  template <int D>
-  static void add_energy(const Cell_tree& tree, const std::vector<double>& plate, Leaf_pairs& pairs)
-  {
-    constexpr int K = (D + 1) * (D + 1);
-    const std::vector<double> energy = thin_plate_energy<D>();
-    for (int leaf = 0; leaf < tree.size(); ++leaf)
-      if (tree.is_leaf(leaf)) {
-        const std::size_t block = pairs.first_block[leaf];
-        pairs.leaf_a[block] = leaf;
-        for (int i = 0; i < K * K; ++i) pairs.blocks[block * K * K + i] += plate[leaf] * energy[i];
-      }
-  }
-
   // The columns of the block of the charts a and b, for some functions of b.
   template <int D>
   Columns collect(int a, int b, const Leaf_pairs& pairs, const Reach& reached, int first, int last) const
@@ -260,10 +174,10 @@ private:
       for (std::size_t k = reached.begin[j]; k < reached.begin[j + 1]; ++k) {
         const auto [leaf, row_of_j] = reached.rows[k];
         const Leaf_basis::Row& column = columns.row(row_of_j);
-        for (std::size_t block = pairs.first_block[leaf]; block < pairs.first_block[leaf + 1]; ++block) {
-          const int leaf_a = pairs.leaf_a[block];
+        for (std::size_t pair = pairs.begin(leaf); pair < pairs.end(leaf); ++pair) {
+          const int leaf_a = pairs.leaf_a(pair);
           if (leaf_a < 0) continue;
-          const std::array<double, K> y = times_column<K>(&pairs.blocks[block * K * K], columns, column);
+          const std::array<double, K> y = times_column<K>(pairs.matrix<K>(pair), columns, column);
           for (std::size_t r = rows.begin(leaf_a); r < rows.end(leaf_a); ++r) {
             const Leaf_basis::Row& row = rows.row(r);
             if (a == b && row.function < j) continue; // the upper triangle
@@ -314,11 +228,10 @@ private:
                  const std::vector<double>& own_weight, const std::vector<double>& plate)
   {
     const Chart_spline& columns = splines_[b];
-    Leaf_pairs pairs;
-    sort_samples(a, b, samples, pairs);
-    if (a != b && pairs.items.empty()) return; // the charts do not meet
-    sum_products<D>(a, b, samples, joint_weight, own_weight, pairs);
-    if (a == b && !plate.empty()) add_energy<D>(columns.tree(), plate, pairs);
+    Leaf_pairs pairs(splines_, a, b, samples, is_parallel_);
+    if (a != b && pairs.empty()) return; // the charts do not meet
+    pairs.sum_products<D>(samples, joint_weight, own_weight);
+    if (a == b && !plate.empty()) pairs.add_energy<D>(plate);
 
     const Reach reached = reach(columns);
     const int pieces = (columns.size() + piece - 1) / piece;
@@ -327,18 +240,8 @@ private:
       block[p] = collect<D>(a, b, pairs, reached, p * piece, (std::min)((p + 1) * piece, columns.size()));
     });
     for (const Columns& c : block) column_bytes_ += c.entries.size() * sizeof(c.entries[0]);
-    bytes_ = (std::max)(bytes_, column_bytes_ + pairs.blocks.size() * sizeof(double) +
-                                  pairs.items.size() * sizeof(Item));
+    bytes_ = (std::max)(bytes_, column_bytes_ + pairs.bytes());
     columns_[b].push_back(std::move(block));
-  }
-
-  // Calls f(k) for k = 0, ..., count-1, in parallel tasks.
-  template <class F>
-  void for_each_piece(int count, const F& f) const
-  {
-    parallel_tasks(is_parallel_, (count + piece - 1) / piece, [&](int p) {
-      for (int k = p * piece; k < count && k < (p + 1) * piece; ++k) f(k);
-    });
   }
 
   Sparse_matrix matrix(double ridge) const
@@ -385,7 +288,7 @@ private:
     return m;
   }
 
-  static constexpr int piece = 128; // leaves or columns per task
+  static constexpr int piece = 128; // columns per task
 
   const std::vector<Chart_spline>& splines_;
   std::vector<int> charts_;
