@@ -12,15 +12,13 @@
 #include <CGAL/Simple_manifolds/internal/named_parameters.h>
 
 #include <CGAL/Simple_manifolds/Visitor.h>
-#include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
-#include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
-#include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
 #include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
 #include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
 #include <CGAL/Simple_manifolds/registration/Correspondence.h>
+#include <CGAL/Simple_manifolds/registration/internal/Registration_geometry.h>
 
 #include <CGAL/assertions.h>
 
@@ -89,12 +87,10 @@ std::shared_ptr<const Manifold_map<Atlas>> polished(const std::shared_ptr<const 
   extern template std::shared_ptr<const Manifold_map<Atlas>> polished<Atlas>(                                \
     const std::shared_ptr<const Manifold_map<Atlas>>&, const Manifold_map<Atlas>&,                           \
     const Registration_request&);                                                                            \
-  extern template Correspondence<Atlas> registered<Atlas>(const Manifold_map<Atlas>&,                        \
-                                                          const Manifold_map<Atlas>&,                        \
-                                                          const Registration_request&, Registration_report&)
-CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Sphere_atlas);
-CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Torus_atlas);
-CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Plane_atlas);
+  extern template Correspondence<Atlas> registered<Atlas>(                                                   \
+    const Manifold_map<Atlas>&, const Manifold_map<Atlas>&, const Registration_request&,                     \
+    Registration_report&);
+CGAL_SIMPLE_MANIFOLDS_FOR_EACH_REGISTERED_ATLAS(CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF)
 #undef CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF
 #endif
 
@@ -154,8 +150,7 @@ register_maps(const SourceMap& source, const TargetMap& target,
   using Atlas = typename SourceMap::Atlas;
   static_assert(std::is_same_v<Atlas, typename TargetMap::Atlas>,
                 "the two maps go to different canonical surfaces");
-  static_assert(std::is_same_v<Atlas, Sphere_atlas> || std::is_same_v<Atlas, Torus_atlas> ||
-                  std::is_same_v<Atlas, Plane_atlas>,
+  static_assert(internal::can_be_registered<Atlas>,
                 "maps are registered over the sphere, the torus and the square");
   CGAL_SIMPLE_MANIFOLDS_KNOWN_PARAMETERS(NamedParameters,
                                          "landmark_pairs, effort, fix_target, registration_report, visitor");

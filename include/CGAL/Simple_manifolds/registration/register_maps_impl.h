@@ -298,10 +298,8 @@ std::shared_ptr<const Manifold_map<Atlas>> polished(const std::shared_ptr<const 
     const Registration_request&);                                                                            \
   CGAL_SIMPLE_MANIFOLDS_INSTANTIATE Correspondence<Atlas> registered<Atlas>(                                 \
     const Manifold_map<Atlas>&, const Manifold_map<Atlas>&, const Registration_request&,                     \
-    Registration_report&)
-CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Sphere_atlas);
-CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Torus_atlas);
-CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF(Plane_atlas);
+    Registration_report&);
+CGAL_SIMPLE_MANIFOLDS_FOR_EACH_REGISTERED_ATLAS(CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF)
 #undef CGAL_SIMPLE_MANIFOLDS_REGISTRATION_OF
 #endif
 

@@ -16,6 +16,7 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Plane_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Sphere_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Torus_geometry.h>
+#include <CGAL/Simple_manifolds/registration/internal/Registration_geometry.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -115,24 +116,6 @@ struct Registration_domain<Plane_geometry> : Flat_registration_domain {
   static Point copy_at(const Point&, const Point& q) { return q; }
   static Point local(const Point& a, const Point& p) { return p - a; }
   static Areas areas(const Point& a, const Point& b, const Point& c) { return areas_of(b - a, c - a); }
-};
-
-// The geometry that the maps of an atlas are registered with.
-template <class Atlas>
-struct Registration_geometry_of {
-  using type = void;
-};
-template <>
-struct Registration_geometry_of<Sphere_atlas> {
-  using type = Sphere_geometry;
-};
-template <>
-struct Registration_geometry_of<Torus_atlas> {
-  using type = Torus_geometry;
-};
-template <>
-struct Registration_geometry_of<Plane_atlas> {
-  using type = Plane_geometry;
 };
 
 } // namespace internal
