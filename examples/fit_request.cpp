@@ -2,6 +2,7 @@
 
 #include "program_tools.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -55,8 +56,10 @@ Command_line fit_command_line()
   options.add("marking", po::value<std::string>()->default_value("all"),
               "what has to be within the tolerance: all (the whole mesh) or vertices (fewer controls)");
   options.add("economy", po::bool_switch(), "fewer controls for the same largest error, more time");
-  options.add("fairness", po::value<double>()->default_value(0),
-              "weight of the thin plate energy against noise; that of the mean squared error is 1");
+  options.add("fairness", po::value<double>(),
+              "weight of the thin plate energy against noise, from 0 to 1 (0; with --noise 0.003)");
+  options.add("noise", po::value<double>()->default_value(0),
+              "how far vertices are from where they should be, of the diagonal: tolerances are not below");
   options.add("correct-parameters", po::bool_switch(),
               "move the vertices in the domain to where the surface is closest, and fit once more");
   options.add("samples", po::value<long>()->default_value(0), "write this many random points of the surface");
@@ -80,7 +83,7 @@ Fit_request fit_request(const Command_line& options)
       throw Usage_error(std::string("--") + name + " is for --surface " + other + " only");
   };
   if (r.is_patches)
-    for (const char* name : {"smoothness", "max-controls", "marking", "economy", "fairness",
+    for (const char* name : {"smoothness", "max-controls", "marking", "economy", "fairness", "noise",
                              "correct-parameters", "target", "crease-angle", "fit-effort", "reshape"})
       refuse(name, "hierarchical");
   else
@@ -97,7 +100,11 @@ Fit_request fit_request(const Command_line& options)
   options.require(r.degree >= 2 && r.degree <= 5, "degree", "from 2 to 5");
   options.require(r.smoothness >= 1 && r.smoothness <= 3, "smoothness", "from 1 to 3");
   r.controls = options.get<long>("max-controls");
-  r.fairness = options.get<double>("fairness");
+  const double noise = options.get<double>("noise");
+  options.require(noise >= 0 && noise <= 1, "noise", "from 0 to 1");
+  r.average = (std::max)(r.average, noise);
+  r.maximum = (std::max)(r.maximum, 5 * noise);
+  r.fairness = options.has("fairness") ? options.get<double>("fairness") : noise > 0 ? 0.003 : 0;
   const std::string target = r.is_patches ? "facets" : options.get<std::string>("target");
   options.require(target == "facets" || target == "curved" || target == "automatic", "target",
                   "facets, curved or automatic");
@@ -122,7 +129,7 @@ Fit_request fit_request(const Command_line& options)
   r.joint = options.get<bool>("economy") ? SM::Joint_solve::ALWAYS : SM::Joint_solve::AT_END;
   options.require(marking == "all" || marking == "vertices", "marking", "all or vertices");
   options.require(r.controls == 0 || r.controls >= 1000, "max-controls", "at least 1000, or 0");
-  options.require(r.fairness >= 0 && r.fairness <= 1e12, "fairness", "from 0 to 1e12");
+  options.require(r.fairness >= 0 && r.fairness <= 1, "fairness", "from 0 to 1");
   options.require(r.samples >= 0 && r.samples <= 100000000, "samples", "from 0 to 100000000");
   return r;
 }

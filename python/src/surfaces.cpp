@@ -54,7 +54,7 @@ SM::Fit_options fit_options(const py::dict& d)
   require(in_range(o.rms_error, 1e300) && in_range(o.max_error, 1e300),
           "rms_error and max_error have to be finite and not negative");
   require(o.spline_degree >= 2 && o.spline_degree <= 5, "degree has to be in 2..5");
-  require(in_range(o.fairness, 1e12), "fairness has to be in [0, 1e12]");
+  require(in_range(o.fairness, 1), "fairness has to be in [0, 1]");
   require(in_range(o.crease_angle, 180), "crease_angle has to be in [0, 180]");
   for (const double w : o.vertex_weights)
     require(in_range(w, 1e300), "vertex_weights have to be finite, not negative");

@@ -391,13 +391,49 @@ TEST_CASE("Fairness smooths noise away")
     4, [&](const Vector3d& p) -> Vector3d { return p * (1 + .02 * (engine() / 4294967296. - .5)); });
   const auto roughness = [&](double fairness) { // of curvatures that should be 1
     const auto surface =
-      SM::fit_surface(map, SM::parameters::rms_error(1e-6).max_controls(2000).fairness(fairness));
+      SM::fit_surface(map, SM::parameters::rms_error(2e-3).fairness(fairness));
     double sum = 0;
     for (const Vector3d& p : random_domain_points<SM::Sphere_atlas>(500))
       sum += std::pow(surface.mean_curvature(p) - 1, 2) / 500;
     return std::sqrt(sum);
   };
-  CHECK(roughness(1e-6) < roughness(0) / 4);
+  CHECK(roughness(0.01) < roughness(0) / 2);
+}
+
+TEST_CASE("No fairness keeps a fit from its tolerance")
+{
+  const Analytic_map<SM::Sphere_atlas> map(bumpy_sphere);
+  for (const double fairness : {1e-3, 0.1, 1.}) {
+    SM::Fit_report report;
+    SM::fit_surface(map, SM::parameters::fairness(fairness).fit_report(std::ref(report)));
+    INFO(fairness << " " << report.rms_error << " " << report.max_error);
+    CHECK(report.tolerance_reached);
+    CHECK(report.controls < 10000);
+  }
+}
+
+TEST_CASE("A surface does not follow noise that was stated")
+{
+  std::mt19937 engine(7);
+  std::normal_distribution<double> noise(0, 2e-3 * std::sqrt(12.)); // of the diagonal of the cube
+  const SM::Manifold_map<SM::Sphere_atlas> map =
+    octahedron_map(5, [&](const Vector3d& p) -> Vector3d { return p * (1 + noise(engine)); });
+  const auto error = [&](const auto& np) { // of normals
+    SM::Fit_report report;
+    const auto surface = SM::fit_surface(map, np.fit_report(std::ref(report)));
+    CHECK(report.tolerance_reached);
+    double sum = 0;
+    for (const Vector3d& p : random_domain_points<SM::Sphere_atlas>(500)) {
+      const Vector3d x = surface.point(p);
+      sum += (surface.normal(p) - x.normalized()).squaredNorm() / 500;
+    }
+    return std::sqrt(sum);
+  };
+  const double followed = error(SM::parameters::rms_error(2e-3)),
+               stated = error(SM::parameters::noise_level(2e-3));
+  INFO(followed << " " << stated);
+  CHECK(stated < 0.03);
+  CHECK(stated < 0.7 * followed);
 }
 
 TEST_CASE("Degree and bump are the user's choice")

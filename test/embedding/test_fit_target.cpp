@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "embedding/Analytic_map.h"
 #include "embedding/octahedron.h"
 
 #include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
@@ -223,16 +224,18 @@ TEST_CASE("A cube has creases: its target is the cube")
 
 TEST_CASE("A fit that more controls do not help ends with the best surface so far")
 {
-  const auto map = octahedron_map(4, on_ellipsoid);
+  // a step, which nothing continuous can follow
+  const Analytic_map<SM::Plane_atlas> map(
+    [](const Vector2d& p) { return Vector3d(p.x(), p.y(), p.x() + p.y() / 3 < 0.6 ? 0 : 0.2); });
   SM::Fit_report report;
   const auto surface =
-    SM::fit_surface(map, SM::parameters::rms_error(2e-5).fairness(1e-6).fit_report(std::ref(report)));
+    SM::fit_surface(map, SM::parameters::rms_error(1.).max_error(2e-2).fit_report(std::ref(report)));
   CHECK_FALSE(report.tolerance_reached);
   CHECK(report.stop == SM::Fit_stop::STAGNATION);
-  CHECK(report.controls < 4000);
+  CHECK(report.controls < 10000);
   for (const SM::Fit_report::Level& level : report.levels)
-    CHECK(report.rms_error <= level.rms_error * (1 + 1e-9));
-  CHECK((surface.point(map.domain_point(0)) - map.point(0)).norm() < 10 * report.max_error * map.diagonal());
+    CHECK(report.max_error <= level.max_error * (1 + 1e-9));
+  CHECK((surface.point(Vector2d(0.1, 0.1)) - Vector3d(0.1, 0.1, 0)).norm() < 1e-2);
 }
 
 TEST_CASE("A flat disk has no folds")

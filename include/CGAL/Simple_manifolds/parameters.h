@@ -57,6 +57,7 @@
   X(joint_solve)         /* Joint_solve: when the charts are fitted together */                              \
   X(marking)             /* Marking: which points a fit brings within the tolerance */                       \
   X(fairness)            /* double: weight of the thin plate energy */                                       \
+  X(noise_level)         /* double: how far vertices are from where they should be, of the diagonal */       \
   X(fit_effort)          /* Fit_effort: how much a fit does for few controls */                              \
   X(fitted_map)          /* std::reference_wrapper<std::optional<Map>>: another map that a surface suits */   \
   X(fitted_maps)         /* std::reference_wrapper<std::vector<std::optional<Map>>>: one per component */    \

@@ -66,14 +66,14 @@ public:
   using Surface = Manifold_surface<Atlas, Hierarchical_embedding, Bump>; ///< what is fitted
 
   /// The map must outlive the fitter.
-  /// \pre the tolerances and the fairness are not negative, the fairness is at most 1e12; the degree is in 2..5;
+  /// \pre the tolerances and the fairness are not negative, the fairness is at most 1; the degree is in 2..5;
   ///   `max_controls` is 0 or allows for the coarsest space: `number_of_charts * (4 + spline_degree)^2`; there are no
   ///   `vertex_weights` or as many as vertices, finite and not negative
   Surface_fitter(const Map& map, const Fit_options& options = Fit_options(), const Bump& bump = Bump())
     : fit_(internal::make_fit_engine(map, options, bump, internal::is_parallel<ConcurrencyTag>()))
   {
     CGAL_precondition(options.rms_error >= 0 && options.max_error >= 0);
-    CGAL_precondition(options.fairness >= 0 && options.fairness <= 1e12);
+    CGAL_precondition(options.fairness >= 0 && options.fairness <= 1);
     CGAL_precondition(options.crease_angle >= 0 && options.crease_angle <= 180);
     CGAL_precondition(options.spline_degree >= 2 && options.spline_degree <= 5);
     CGAL_precondition(options.max_controls == 0 ||

@@ -17,6 +17,7 @@
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -27,7 +28,7 @@
 
 #define CGAL_SIMPLE_MANIFOLDS_FIT_PARAMETERS                                                                 \
   "rms_error, max_error, spline_degree, bump, max_controls, refinement, joint_solve, marking, fairness, "    \
-  "vertex_weights, fit_target, crease_angle, fit_effort, fit_report"
+  "noise_level, vertex_weights, fit_target, crease_angle, fit_effort, fit_report"
 
 namespace CGAL {
 namespace Simple_manifolds {
@@ -59,6 +60,12 @@ auto fit_surface(const Map& map, const NamedParameters& np)
   read(options.refinement, internal_np::refinement);
   read(options.joint_solve, internal_np::joint_solve);
   read(options.marking, internal_np::marking);
+  if (const double noise = parameter(np, internal_np::noise_level, 0.); noise > 0) {
+    CGAL_precondition(noise <= 1);
+    options.rms_error = (std::max)(options.rms_error, noise);
+    options.max_error = (std::max)(options.max_error, 5 * noise); // of a few thousand vertices
+    options.fairness = 0.003;
+  }
   read(options.fairness, internal_np::fairness);
   read(options.target, internal_np::fit_target);
   read(options.crease_angle, internal_np::crease_angle);
@@ -123,8 +130,12 @@ auto fit_surface(const Map& map, const NamedParameters& np)
 ///     \cgalParamType{`Joint_solve`} \cgalParamDefault{`Joint_solve::AT_END`} \cgalParamNEnd
 ///   \cgalParamNBegin{marking} \cgalParamDescription{which points must be brought within the tolerance}
 ///     \cgalParamType{`Marking`} \cgalParamDefault{`Marking::ALL_POINTS`} \cgalParamNEnd
-///   \cgalParamNBegin{fairness} \cgalParamDescription{weight of the thin plate energy, for noisy meshes}
-///     \cgalParamType{`double` in [0,1e12]} \cgalParamDefault{0} \cgalParamNEnd
+///   \cgalParamNBegin{fairness} \cgalParamDescription{weight of the thin plate energy, for noisy meshes: see
+///     `Fit_options::fairness`} \cgalParamType{`double` in [0,1]} \cgalParamDefault{0; 0.003 with a `noise_level`}
+///     \cgalParamNEnd
+///   \cgalParamNBegin{noise_level} \cgalParamDescription{how far the vertices are from where they should be, root mean
+///     square, a fraction of the diagonal: the tolerances are not below that and five times that, so that the surface
+///     does not follow the noise} \cgalParamType{`double` in [0,1]} \cgalParamDefault{0} \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_weights} \cgalParamDescription{weights of the vertices, relative to one
 ///     another} \cgalParamType{range of `double`, finite and not negative, one per vertex of the map}
 ///     \cgalParamDefault{all equal} \cgalParamNEnd

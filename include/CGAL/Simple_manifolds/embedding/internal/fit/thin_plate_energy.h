@@ -57,8 +57,11 @@ std::vector<double> thin_plate_energy()
 }
 
 /// Per node of the tree of chart c: the weight of the thin plate energy of its local functions; empty if none has any.
-/// The energy of the chart's own square counts `fairness`, that of a stiff leaf a part of the weight of its samples.
-/// \param weight  weight(sample, view): how much a view counts in a fit
+/// It is a part of the weight of the samples in the leaf, so that the energy fades where cells become smaller: no value
+/// keeps a fit from its tolerance.
+/// \param fairness   this part, everywhere
+/// \param stiffness  adds to it
+/// \param weight     weight(sample, view): how much a view counts in a fit
 template <class Weight>
 std::vector<double> plate_weights(const Cell_tree& tree, int c, const Fit_samples& samples, double fairness,
                                   const Local_stiffness& stiffness, const Weight& weight)
@@ -66,15 +69,11 @@ std::vector<double> plate_weights(const Cell_tree& tree, int c, const Fit_sample
   std::vector<double> weights;
   if (fairness == 0 && stiffness.empty()) return weights;
   weights.assign(tree.size(), 0);
-  if (!stiffness.empty())
-    for (std::size_t k = 0; k < samples.size(); ++k)
-      for (std::size_t v = samples.begin[k]; v < samples.begin[k + 1]; ++v)
-        if (samples.views[v].chart == c) weights[samples.views[v].cell] += weight(k, v);
-  for (int leaf = 0; leaf < tree.size(); ++leaf) {
-    const double n = tree.side(tree.cell(leaf).level);
-    const double stiff = weights[leaf] > 0 ? stiffness.at(c, tree, leaf) : 0;
-    weights[leaf] = fairness * n * n + stiff * weights[leaf];
-  }
+  for (std::size_t k = 0; k < samples.size(); ++k)
+    for (std::size_t v = samples.begin[k]; v < samples.begin[k + 1]; ++v)
+      if (samples.views[v].chart == c) weights[samples.views[v].cell] += weight(k, v);
+  for (int leaf = 0; leaf < tree.size(); ++leaf)
+    if (weights[leaf] > 0) weights[leaf] *= fairness + stiffness.at(c, tree, leaf);
   return weights;
 }
 
