@@ -33,6 +33,7 @@ Json metrics_of_surface(const SM::Fit_report& report)
   metrics["target_rms"] = report.target_rms;
   metrics["target_max"] = report.target_max;
   metrics["folds"] = report.folds;
+  metrics["folded_points"] = report.folded_points;
   metrics["fold_places"] = Json::array();
   for (const SM::Fit_report::Fold& f : report.fold_places)
     metrics["fold_places"].push_back({{"face", f.face}, {"point", {f.point[0], f.point[1], f.point[2]}}});

@@ -93,6 +93,7 @@ int fit_hierarchical(Job& job, Parts maps, const Bump& bump)
   Json parameters = parameters_of(job);
   parameters.update({{"max_controls", request.controls},
                      {"fairness", request.fairness},
+                     {"noise", request.noise},
                      {"target", job.options.get<std::string>("target")},
                      {"crease_angle", request.crease_angle},
                      {"fit_effort", job.options.get<std::string>("fit-effort")},

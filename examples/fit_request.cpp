@@ -2,7 +2,8 @@
 
 #include "program_tools.h"
 
-#include <algorithm>
+#include <CGAL/Simple_manifolds/embedding/Fit_options.h>
+
 #include <cmath>
 #include <string>
 
@@ -100,11 +101,15 @@ Fit_request fit_request(const Command_line& options)
   options.require(r.degree >= 2 && r.degree <= 5, "degree", "from 2 to 5");
   options.require(r.smoothness >= 1 && r.smoothness <= 3, "smoothness", "from 1 to 3");
   r.controls = options.get<long>("max-controls");
-  const double noise = options.get<double>("noise");
-  options.require(noise >= 0 && noise <= 1, "noise", "from 0 to 1");
-  r.average = (std::max)(r.average, noise);
-  r.maximum = (std::max)(r.maximum, 5 * noise);
-  r.fairness = options.has("fairness") ? options.get<double>("fairness") : noise > 0 ? 0.003 : 0;
+  r.noise = options.get<double>("noise");
+  options.require(r.noise >= 0 && r.noise <= 1, "noise", "from 0 to 1");
+  SM::Fit_options fit;
+  fit.rms_error = r.average;
+  fit.max_error = r.maximum;
+  fit.set_noise_level(r.noise);
+  r.average = fit.rms_error;
+  r.maximum = fit.max_error;
+  r.fairness = options.has("fairness") ? options.get<double>("fairness") : fit.fairness;
   const std::string target = r.is_patches ? "facets" : options.get<std::string>("target");
   options.require(target == "facets" || target == "curved" || target == "automatic", "target",
                   "facets, curved or automatic");

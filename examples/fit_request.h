@@ -17,7 +17,7 @@ struct Fit_request {
   double average, maximum; // tolerances
   int degree, smoothness, patches;
   long samples, controls;
-  double fairness;
+  double fairness, noise;
   SM::Marking marking;
   SM::Fit_target target;
   SM::Fit_effort effort;

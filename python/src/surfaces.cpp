@@ -47,7 +47,10 @@ SM::Fit_options fit_options(const py::dict& d)
   o.effort = choice<SM::Fit_effort>(option<std::string>(d, "fit_effort"), "fit_effort",
                                     {{"fast", SM::Fit_effort::FAST}, {"compact", SM::Fit_effort::COMPACT}});
   o.crease_angle = option<double>(d, "crease_angle");
-  o.fairness = option<double>(d, "fairness");
+  const double noise = option<double>(d, "noise_level");
+  require(noise >= 0 && noise <= 1, "noise_level has to be in [0, 1]");
+  o.set_noise_level(noise);
+  if (!d["fairness"].is_none()) o.fairness = option<double>(d, "fairness");
   if (!d["vertex_weights"].is_none())
     o.vertex_weights = Rows<double>(option<Doubles>(d, "vertex_weights"), "vertex_weights").vector();
   const auto in_range = [](double x, double most) { return x >= 0 && x <= most; };
@@ -139,6 +142,8 @@ void add_surfaces(py::module_& m)
     .def_readonly("controls", &Report::controls, "Coefficients of all charts, each a point of space.")
     .def_readonly("vertices", &Report::vertices, "Of the mesh, for comparison.")
     .def_readonly("folds", &Report::folds, "Faces over which the surface turns over.")
+    .def_readonly("folded_points", &Report::folded_points,
+                  "Points at which it shows its other side, of 25 in each cell.")
     .def_property_readonly(
       "worst_point",
       [](const Report& r) { return take(std::vector<Eigen::Vector3d>{r.worst_point}).attr("reshape")(3); },
@@ -176,9 +181,10 @@ void add_surfaces(py::module_& m)
                            "The rms_error that it was fitted to; 0: unknown.")
     .def_property_readonly("report", &Surface::report,
                            "What came of the fit; None for a surface from a file.")
-    .def_property_readonly("map", &Surface::map,
-                           "The map that it suits: the one that it was fitted to, or with fit_effort 'compact' another "
-                           "one of the same mesh; None for a surface from a file.")
+    .def_property_readonly(
+      "map", &Surface::map,
+      "The map that it suits: the one that it was fitted to, or with fit_effort 'compact' another "
+      "one of the same mesh; None for a surface from a file.")
     .def(
       "random_domain_points",
       [](const Surface& self, std::size_t n, std::uint64_t seed) {

@@ -142,7 +142,7 @@ def test_options_of_fits(sphere_map):
     weights = np.ones(len(sphere_map.vertices))
     assert sm.fit_surface(sphere_map, degree=4, fairness=1e-9, vertex_weights=weights).report.tolerance_reached
     for wrong in ({"rms_error": -1.0}, {"rms_error": np.nan}, {"degree": 9}, {"max_controls": 3}, {"target": "round"},
-                  {"fairness": -1.0}, {"crease_angle": 400.0}, {"vertex_weights": [1.0]},
+                  {"fairness": -1.0}, {"noise_level": 2.0}, {"crease_angle": 400.0}, {"vertex_weights": [1.0]},
                   {"vertex_weights": -weights}):
         with pytest.raises(ValueError):
             sm.fit_surface(sphere_map, **wrong)

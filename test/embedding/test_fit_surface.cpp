@@ -390,8 +390,7 @@ TEST_CASE("Fairness smooths noise away")
   const SM::Manifold_map<SM::Sphere_atlas> map = octahedron_map(
     4, [&](const Vector3d& p) -> Vector3d { return p * (1 + .02 * (engine() / 4294967296. - .5)); });
   const auto roughness = [&](double fairness) { // of curvatures that should be 1
-    const auto surface =
-      SM::fit_surface(map, SM::parameters::rms_error(2e-3).fairness(fairness));
+    const auto surface = SM::fit_surface(map, SM::parameters::rms_error(2e-3).fairness(fairness));
     double sum = 0;
     for (const Vector3d& p : random_domain_points<SM::Sphere_atlas>(500))
       sum += std::pow(surface.mean_curvature(p) - 1, 2) / 500;
@@ -410,6 +409,20 @@ TEST_CASE("No fairness keeps a fit from its tolerance")
     CHECK(report.tolerance_reached);
     CHECK(report.controls < 10000);
   }
+}
+
+TEST_CASE("A level of noise is a floor of the tolerances")
+{
+  SM::Fit_options options;
+  options.set_noise_level(0);
+  CHECK(options.rms_error == 2e-3);
+  CHECK(options.fairness == 0);
+  options.set_noise_level(3e-3);
+  CHECK(options.rms_error == 3e-3);
+  CHECK(options.max_error == 2e-2);
+  CHECK(options.fairness > 0);
+  options.set_noise_level(1e-2);
+  CHECK(options.max_error == 5e-2);
 }
 
 TEST_CASE("A surface does not follow noise that was stated")

@@ -12,7 +12,7 @@ list(FIND layers cad convenience) # the last layer that simple_manifolds.h inclu
 set(annex "^(paper|registration)/")
 
 # What the atlas may take from elsewhere: it knows no mesh, no kernel and no solver.
-set(atlas_may_include "^(Eigen/|boost/multiprecision/|CGAL/assertions\\.h$|[a-z_0-9]+$)")
+set(atlas_may_include "^(Eigen/|CGAL/assertions\\.h$|[a-z_0-9]+$)")
 
 # The position in the list of a path below CGAL/Simple_manifolds, -1 if it belongs to no layer.
 function(layer_of path result)

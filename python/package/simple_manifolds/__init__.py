@@ -226,8 +226,8 @@ def load_map(file: Union[str, PathLike]) -> Map:
 def fit_surface(mesh_or_map: Any, rms_error: float = 2e-3, max_error: Optional[float] = None, *, degree: int = 3,
                 max_controls: Optional[int] = None, refinement: str = "adaptive", joint_solve: str = "at_end",
                 marking: str = "all_points", target: str = "automatic", fit_effort: str = "fast",
-                crease_angle: float = 40.0, fairness: float = 0.0, vertex_weights: Optional[Sequence[float]] = None,
-                progress: Progress = None) -> Surface:
+                crease_angle: float = 40.0, fairness: Optional[float] = None, noise_level: float = 0.0,
+                vertex_weights: Optional[Sequence[float]] = None, progress: Progress = None) -> Surface:
     """Fits a smooth surface to a map, or to a mesh, which is mapped for it.
 
     rms_error, max_error: tolerances, fractions of the diagonal; the second is 10 times the first by default.
@@ -235,13 +235,16 @@ def fit_surface(mesh_or_map: Any, rms_error: float = 2e-3, max_error: Optional[f
     refinement: 'adaptive' or 'uniform'. joint_solve: 'at_end', 'always' or 'never'. marking: 'all_points' or
       'vertices'.
     target: 'automatic', 'curved' or 'facets': what the mesh says of the surface. fit_effort: 'fast' or 'compact',
-      which has far fewer controls for the same distance. crease_angle: degrees. fairness: for noisy meshes.
+      which has far fewer controls for the same distance. crease_angle: degrees.
+    noise_level: how far the vertices are from where they should be, of the diagonal: what the surface does not follow.
+    fairness: from 0 to 1, 0.003 with a noise_level, else 0.
     vertex_weights: one per vertex of the map.
     The surface is returned also where the tolerances are not reached: surface.report says so.
     """
     options = {"rms_error": rms_error, "max_error": max_error, "degree": degree, "max_controls": max_controls,
                "refinement": refinement, "joint_solve": joint_solve, "marking": marking, "target": target,
                "fit_effort": fit_effort, "crease_angle": crease_angle, "fairness": fairness,
+               "noise_level": noise_level,
                "vertex_weights": vertex_weights}
     is_map = isinstance(mesh_or_map, Map)
     map_ = mesh_or_map if is_map else map_mesh(mesh_or_map, for_fitting=True, progress=progress)

@@ -8,6 +8,9 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_FIT_OPTIONS_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_FIT_OPTIONS_H
 
+#include <CGAL/assertions.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -87,6 +90,18 @@ struct Fit_options {
   /// One weight per vertex of the map, finite, >= 0, relative to one another; empty: all equal. Samples inside of
   /// faces are not weighted.
   std::vector<double> vertex_weights;
+
+  /// Keeps the surface from following noise: tolerances that are not smaller, and fairness.
+  /// \param noise  how far the vertices are from where they should be: root mean square, fraction of the diagonal
+  /// \pre `noise` is in [0,1]
+  void set_noise_level(double noise)
+  {
+    CGAL_precondition(noise >= 0 && noise <= 1);
+    if (noise == 0) return;
+    rms_error = (std::max)(rms_error, noise);
+    max_error = (std::max)(max_error, 5 * noise); // of thousands of vertices with normally distributed noise
+    fairness = 0.003;
+  }
 };
 
 } // namespace Simple_manifolds

@@ -38,7 +38,7 @@ struct Fit_errors {
 ///
 /// Why a fit ended.
 enum class Fit_stop {
-  TOLERANCE, ///< it is within the tolerances, without folds
+  TOLERANCE, ///< it is within the tolerances, and turns over at no face of the mesh
   CONTROLS,  ///< more controls than `Fit_options::max_controls` would be needed
   STAGNATION, ///< more controls did not make it better: errors and folds are where the mesh does not suit the fit
   RESOLUTION ///< the cells in question are as small as cells can be
@@ -113,8 +113,11 @@ struct Fit_report : Fit_errors {
     Eigen::Vector3d::Zero(); ///< the point of the mesh where the error is `max_error`
   double target_rms =
     0; ///< how far the target is from the facets, root mean square, fraction of the diagonal
-  double target_max = 0;         ///< the largest such distance
-  std::size_t folds = 0;         ///< the number of faces over which the surface turns over
+  double target_max = 0; ///< the largest such distance
+  std::size_t folds = 0; ///< the number of faces over which the surface turns over
+  /// The number of points at which it shows its other side, of 25 in each cell of the spline: folds that are smaller
+  /// than faces, too. Fits that are fast and adaptive look for them within the tolerances.
+  std::size_t folded_points = 0;
   std::vector<Fold> fold_places; ///< the first of them
   double rms_tolerance = 0;      ///< the tolerance of `rms_error`
   double max_tolerance = 0;      ///< the tolerance of `max_error`

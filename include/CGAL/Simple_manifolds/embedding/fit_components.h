@@ -30,7 +30,7 @@
 
 #define CGAL_SIMPLE_MANIFOLDS_FIT_COMPONENTS_PARAMETERS                                                      \
   "rms_error, max_error, spline_degree, bump, max_controls, refinement, joint_solve, marking, fairness, "    \
-  "noise_level, fit_target, crease_angle, fit_effort, "                                                                   \
+  "noise_level, fit_target, crease_angle, fit_effort, "                                                      \
   "fit_reports"
 
 namespace CGAL {

@@ -17,7 +17,6 @@
 
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -60,12 +59,7 @@ auto fit_surface(const Map& map, const NamedParameters& np)
   read(options.refinement, internal_np::refinement);
   read(options.joint_solve, internal_np::joint_solve);
   read(options.marking, internal_np::marking);
-  if (const double noise = parameter(np, internal_np::noise_level, 0.); noise > 0) {
-    CGAL_precondition(noise <= 1);
-    options.rms_error = (std::max)(options.rms_error, noise);
-    options.max_error = (std::max)(options.max_error, 5 * noise); // of a few thousand vertices
-    options.fairness = 0.003;
-  }
+  options.set_noise_level(parameter(np, internal_np::noise_level, 0.));
   read(options.fairness, internal_np::fairness);
   read(options.target, internal_np::fit_target);
   read(options.crease_angle, internal_np::crease_angle);

@@ -17,6 +17,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -164,6 +165,7 @@ struct One_way {
   }
 
   bool is_backwards; // the target is moved
+  bool is_finished = false;
   Lift<Geometry> lift;
   Coarse_to_fine_registration<Geometry> layout;
   Registration_course course;
@@ -179,30 +181,34 @@ better_way(const Registered_surface<Geometry>& a, const Registered_surface<Geome
 {
   using Way = One_way<Geometry>;
   constexpr double doubtful = 0.3; // mean logarithm of the distortion
-  const auto progress = [&](double fraction) { request.visitor.progress((std::min)(fraction, 1.)); };
+  double done = 0;                 // the second way starts from nothing again
+  const auto progress = [&](double fraction) {
+    done = (std::max)(done, (std::min)(fraction, 1.));
+    request.visitor.progress(done);
+  };
   const auto begun = [&](bool is_back) {
+    using Domain = Registration_domain<Geometry>;
     typename Way::Landmarks landmarks;
-    for (const auto& l : request.landmarks)
-      landmarks.push_back(
-        is_back ? Indexed_landmark<typename Geometry::Point>{l.second, a.domain_points[l.first], 1}
-                : Indexed_landmark<typename Geometry::Point>{l.first, b.domain_points[l.second], 1});
+    for (const auto& [first, second] : request.landmarks)
+      landmarks.push_back({is_back ? second : first,
+                           Domain::on_grid(is_back ? a.domain_points[first] : b.domain_points[second]), 1});
     auto way = std::make_unique<Way>(is_back ? b : a, is_back ? a : b, is_back, landmarks, options);
     if (!way->layout.begin(way->course, progress)) way.reset();
     return way;
   };
   const auto finish = [&](Way& way) {
+    way.is_finished = true;
     way.points = way.layout.finish(way.course, progress);
     return way.points && way.course.unreached.empty();
   };
   std::unique_ptr<Way> forward = begun(false), back;
-  if (!forward) return nullptr;
-  const double energy = forward->layout.coarse_energy();
+  const double energy = forward ? forward->layout.coarse_energy() : std::numeric_limits<double>::infinity();
   if (!request.has_fixed_target && !(energy <= doubtful)) {
     back = begun(true);
     if (back && back->layout.coarse_energy() < energy && finish(*back)) return back;
   }
-  if (finish(*forward)) return forward;
-  if (back && !back->points && finish(*back)) return back;
+  if (forward && finish(*forward)) return forward;
+  if (back && !back->is_finished && finish(*back)) return back;
   return forward;
 }
 
@@ -246,6 +252,8 @@ Correspondence<Atlas> registered(const Manifold_map<Atlas>& source, const Manifo
       request.visitor.end_phase();
       request.visitor.start_phase("certify");
       try {
+        for (const auto& [first, second] : of_way.landmarks) // their last bits, too
+          moved.domain_points[first] = other.domain_points[second];
         if (way->is_backwards) std::swap(moved.domain_points, other.domain_points);
         Correspondence<Atlas> result(with_domain_points(source, std::move(moved.domain_points)),
                                      with_domain_points(target, std::move(other.domain_points)));

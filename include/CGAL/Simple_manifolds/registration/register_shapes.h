@@ -39,7 +39,7 @@ namespace Simple_manifolds {
 /// distortion, and the mean is made anew. Two shapes are registered to each other as by `register_maps()`.
 ///
 /// \tparam ConcurrencyTag  `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
-/// \tparam Atlas  `Sphere_atlas`
+/// \tparam Atlas  `Sphere_atlas`, `Torus_atlas` or `Plane_atlas`
 /// \param maps  of the shapes, at least one
 /// \param np  named parameters:
 ///   - `landmark_rows`  a range of ranges: for each landmark its vertex of each shape, as a position in the arrays of the

@@ -51,6 +51,8 @@ struct Registration_domain<Sphere_geometry> {
   static Point difference(const Point& p, const Point& q) { return q - p; }
   // The copy of q that is nearest to p.
   static Point copy_at(const Point&, const Point& q) { return q; }
+  // The point that stands for p as long as copies are made of it: of these no bit is rounded away.
+  static Point on_grid(const Point& p) { return p; }
   static Frame frame(const Point& p) { return Gnomonic_chart::tangent_frame(p); }
   // The point at p + d.
   static Point moved(const Point& p, const Point& d) { return (p + d).normalized(); }
@@ -101,6 +103,7 @@ struct Registration_domain<Torus_geometry> : Flat_registration_domain {
   {
     return Point(q[0] + std::round(p[0] - q[0]), q[1] + std::round(p[1] - q[1]));
   }
+  static Point on_grid(const Point& p) { return Flat_geometry::snapped(p); }
   static Point local(const Point& a, const Point& p) { return difference(a, p); }
   static Areas areas(const Point& a, const Point& b, const Point& c)
   {
@@ -114,6 +117,7 @@ struct Registration_domain<Plane_geometry> : Flat_registration_domain {
   static bool is_edge(const Point&) { return true; }
   static Point difference(const Point& p, const Point& q) { return q - p; }
   static Point copy_at(const Point&, const Point& q) { return q; }
+  static Point on_grid(const Point& p) { return p; }
   static Point local(const Point& a, const Point& p) { return p - a; }
   static Areas areas(const Point& a, const Point& b, const Point& c) { return areas_of(b - a, c - a); }
 };

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -23,15 +24,18 @@ namespace internal {
 ///
 /// The root mean square, the maximum or the number of folds must fall as long as they are too large: by a fifth while
 /// the controls become three times as many (even where creases are resolved errors fall by two thirds), and by a
-/// fiftieth in ten rounds.
+/// fiftieth in ten rounds, six if only folds are left.
 class Fit_progress {
 public:
   /// \param rms, maximum  in units of their tolerances
-  void add(double rms, double maximum, std::size_t folds, const std::vector<Chart_spline>& splines)
+  /// \param folds  of faces of the mesh
+  /// \param points  where the surface is folded, also between those of faces; known within the tolerances only
+  void add(double rms, double maximum, std::size_t folds, std::size_t points,
+           const std::vector<Chart_spline>& splines)
   {
-    Round now{0, rms, maximum, double(folds)};
+    Round now{0, rms, maximum, double(folds), double(points)};
     for (const Chart_spline& s : splines) now.controls += std::size_t(s.size());
-    const std::pair<double, double> score((std::max)({rms, maximum, 1.}), now.folds);
+    const std::tuple<double, double, double> score((std::max)({rms, maximum, 1.}), now.folds, now.points);
     is_best_ = rounds_.empty() || score < best_score_;
     if (is_best_) {
       best_score_ = score;
@@ -47,7 +51,7 @@ public:
   bool is_stuck() const
   {
     const Round& now = rounds_.back();
-    const std::size_t patience = now.rms <= 1 && now.maximum <= 1 ? 6 : 10; // few, if only folds are left
+    const std::size_t patience = now.is_within() ? 6 : 10;
     for (std::size_t k = rounds_.size() - 1; k-- > 0;) {
       const bool is_growth = now.controls >= 3 * rounds_[k].controls,
                  are_many = rounds_.size() - k > patience;
@@ -73,19 +77,21 @@ public:
 private:
   struct Round {
     std::size_t controls;
-    double rms, maximum, folds;
+    double rms, maximum, folds, points;
+    bool is_within() const { return rms <= 1 && maximum <= 1; }
   };
 
   static bool helps(const Round& before, const Round& now, double factor)
   {
     const auto falls = [&](double a, double b, double enough) { return a > enough && b < factor * a; };
     return falls(before.rms, now.rms, 1) || falls(before.maximum, now.maximum, 1) ||
-           falls(before.folds, now.folds, 0);
+           falls(before.folds, now.folds, 0) ||
+           (before.is_within() && now.is_within() && falls(before.points, now.points, 0));
   }
 
   std::vector<Round> rounds_;
   bool is_best_ = true;
-  std::pair<double, double> best_score_;
+  std::tuple<double, double, double> best_score_;
   std::vector<Chart_spline> best_;
 };
 

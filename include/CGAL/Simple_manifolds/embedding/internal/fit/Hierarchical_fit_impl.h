@@ -51,6 +51,7 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::restore(std::vector<Chart_sp
   splines_ = std::move(splines);
   for (Fit_samples::View& view : samples_.views) view.cell = -1;
   descend();
+  evaluate(all_charts());
 }
 
 CGAL_SIMPLE_MANIFOLDS_INLINE std::vector<int> Hierarchical_fit::all_charts() const

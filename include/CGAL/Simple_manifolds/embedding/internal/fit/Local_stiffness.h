@@ -8,7 +8,6 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_LOCAL_STIFFNESS_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_LOCAL_STIFFNESS_H
 
-#include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Cell_tree.h>
 
 #include <Eigen/Core>
@@ -34,35 +33,51 @@ public:
   {
     constexpr double first = 0.01, factor = 4, largest = 1;
     constexpr double radius = 2; // in cells
-    const Cell& c = tree.cell(leaf);
-    const double side = 1. / tree.side(c.level);
     const double now = before.at(chart, tree, leaf);
     if (now >= largest) return false;
-    parts_.push_back({chart, side * Eigen::Vector2d(c.i + 0.5, c.j + 0.5), radius * side,
-                      now > 0 ? (std::min)(factor * now, largest) : first});
+    const double strength = now > 0 ? (std::min)(factor * now, largest) : first;
+    if (parts_.size() <= std::size_t(chart)) parts_.resize(chart + 1);
+    std::vector<Part>& parts = parts_[chart];
+    const Square square = square_of(tree, leaf);
+    const auto same = std::find_if(parts.begin(), parts.end(), [&](const Part& p) {
+      return p.square.centre == square.centre && p.square.side == square.side;
+    });
+    if (same != parts.end())
+      same->strength = strength;
+    else
+      parts.push_back({square, radius * square.side, strength});
     return true;
   }
 
   double at(int chart, const Cell_tree& tree, int leaf) const
   {
-    const Cell& c = tree.cell(leaf);
-    const double side = 1. / tree.side(c.level);
-    const Eigen::Vector2d centre = side * Eigen::Vector2d(c.i + 0.5, c.j + 0.5);
     double most = 0;
-    for (const Part& p : parts_)
-      if (p.chart == chart && (p.centre - centre).lpNorm<Eigen::Infinity>() < p.radius + side / 4)
+    if (std::size_t(chart) >= parts_.size()) return most;
+    const Square square = square_of(tree, leaf);
+    for (const Part& p : parts_[chart])
+      if ((p.square.centre - square.centre).lpNorm<Eigen::Infinity>() < p.radius + square.side / 4)
         most = (std::max)(most, p.strength);
     return most;
   }
 
 private:
-  struct Part {
-    int chart;
+  struct Square {
     Eigen::Vector2d centre;
+    double side;
+  };
+  struct Part {
+    Square square;
     double radius, strength;
   };
 
-  std::vector<Part> parts_;
+  static Square square_of(const Cell_tree& tree, int leaf)
+  {
+    const Cell& c = tree.cell(leaf);
+    const double side = 1. / tree.side(c.level);
+    return {side * Eigen::Vector2d(c.i + 0.5, c.j + 0.5), side};
+  }
+
+  std::vector<std::vector<Part>> parts_; // of each chart
 };
 
 } // namespace internal

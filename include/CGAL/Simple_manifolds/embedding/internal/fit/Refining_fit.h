@@ -146,7 +146,7 @@ private:
       });
     }
     progress_.add(errors_.rms() / (std::max)(rms_error(), 1e-300),
-                  errors_.maximum() / (std::max)(max_error(), 1e-300), report_.folds + folded_.size(),
+                  errors_.maximum() / (std::max)(max_error(), 1e-300), report_.folds, folded_.size(),
                   fit.splines());
     if (!progress_.has_better()) best_map_ = map_now_.state();
     show_progress(report_.max_error * map_.diagonal(), visitor);
@@ -222,10 +222,10 @@ private:
       solve_jointly(fit, visitor);
     std::vector<int> changed;
     while (!is_done()) {
-      if (report_.tolerance_reached && stiffens() && unfold(fit))
+      if (report_.tolerance_reached && stiffens(fit))
         changed = fit.all_charts();
-      else if (report_.tolerance_reached && report_.folds == 0) // only between the points of faces
-        return stop(Fit_stop::STAGNATION);
+      else if (report_.tolerance_reached && report_.folds == 0) // what is left is between the points of faces
+        return;
       else if (!refine(fit, joint_marks(fit), changed, max_controls()))
         return stop(fit.is_full(max_controls()) ? Fit_stop::CONTROLS : Fit_stop::RESOLUTION);
       solve(fit, changed, visitor);
@@ -325,8 +325,8 @@ private:
     });
   }
 
-  // Whether a stiffer surface has fewer folds, so far.
-  bool stiffens()
+  // Makes the surface stiffer where it is folded, as long as that leaves fewer folds.
+  bool stiffens(Fit& fit)
   {
     constexpr int patience = 2;
     const double folds = double(report_.folds + folded_.size());
@@ -335,12 +335,13 @@ private:
       least_folds_ = folds;
       stiffenings_ = 0;
     }
-    if (++stiffenings_ <= patience) return true;
+    if (++stiffenings_ <= patience && unfold(fit)) return true;
+    stiffenings_ = patience + 1;
     progress_.forget();
     return false;
   }
 
-  // Makes the surface stiffer where it is folded; finer cells would only let it fold in smaller folds.
+  // Finer cells would only let the surface fold in smaller folds.
   // \return false if it is as stiff as it may be
   bool unfold(Fit& fit) const
   {
@@ -513,6 +514,7 @@ typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Vis
     measure(fit, visitor);
   }
   if (report_.tolerance_reached && report_.folds == 0) stop(Fit_stop::TOLERANCE);
+  report_.folded_points = folded_.size();
   std::tie(report_.target_rms, report_.target_max) = errors_.distances_of_target();
   visitor.end_phase();
 

@@ -10,10 +10,13 @@
 
 #include <CGAL/Simple_manifolds/atlas/Chart_point.h>
 #include <CGAL/Simple_manifolds/atlas/Jet.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Cell_tree.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_fit.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstddef>
