@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -35,7 +34,7 @@ public:
   {
     Round now{0, rms, maximum, double(folds), double(points)};
     for (const Chart_spline& s : splines) now.controls += std::size_t(s.size());
-    const std::tuple<double, double, double> score((std::max)({rms, maximum, 1.}), now.folds, now.points);
+    const std::pair<double, double> score((std::max)({rms, maximum, 1.}), now.folds + now.points);
     is_best_ = rounds_.empty() || score < best_score_;
     if (is_best_) {
       best_score_ = score;
@@ -91,7 +90,7 @@ private:
 
   std::vector<Round> rounds_;
   bool is_best_ = true;
-  std::tuple<double, double, double> best_score_;
+  std::pair<double, double> best_score_;
   std::vector<Chart_spline> best_;
 };
 
