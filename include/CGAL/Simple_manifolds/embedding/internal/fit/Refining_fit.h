@@ -513,7 +513,10 @@ typename Refining_fit<Map, Bump>::Surface Refining_fit<Map, Bump>::run(const Vis
     follow_map();
     measure(fit, visitor);
   }
-  if (report_.tolerance_reached && report_.folds == 0) stop(Fit_stop::TOLERANCE);
+  if (report_.tolerance_reached && report_.folds == 0)
+    stop(Fit_stop::TOLERANCE);
+  else if (report_.stop == Fit_stop::TOLERANCE) // the best round was another one
+    stop(Fit_stop::STAGNATION);
   report_.folded_points = folded_.size();
   std::tie(report_.target_rms, report_.target_max) = errors_.distances_of_target();
   visitor.end_phase();
