@@ -62,7 +62,8 @@ enum class Fit_effort {
   FAST,
   /// Points may slide along the surface, and the map follows: the surface suits another map of the same mesh, see
   /// `Surface_fitter::map()`. Errors are distances of points of the mesh from the surface. Far fewer controls for the
-  /// same distance.
+  /// same distance. Such surfaces are not unfolded: along thin limbs they can have folds between the points of faces, of
+  /// which the report does not know.
   COMPACT
 };
 
