@@ -6,6 +6,9 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 
@@ -76,6 +79,42 @@ TEST_CASE("Tolerances that are out of reach end at the limit of controls, and sa
   CHECK_FALSE(r.tolerance_reached);
   CHECK(r.stop == SM::Cad_stop::CONTROLS);
   CHECK(r.rms_deviation > 1e-13);
+}
+
+TEST_CASE("Where the speed of a map jumps a body does not turn over")
+{
+  // from 0 to 1, with a slope that is so many times smaller in the second half
+  const auto jump = [](double times, double x) {
+    const double slope = 2 * times / (times + 1);
+    return x < 0.5 ? slope * x : 1 - slope / times * (1 - x);
+  };
+  const auto turned = [](const auto& map, const auto& normal) { // normal(x): of the mesh, at a point of space
+    SM::Cad_report r;
+    const SM::Cad_surface c = SM::fit_cad_surface(map, SM::parameters::cad_report(std::ref(r)));
+    CHECK(r.tolerance_reached);
+    int count = 0;
+    for (const SM::Cad_face& face : c.faces())
+      for (std::size_t i = 0; i + 1 < face.knots_u.size(); ++i)
+        for (std::size_t j = 0; j + 1 < face.knots_v.size(); ++j)
+          for (int k = 0; k < 36; ++k) {
+            const Eigen::Vector2d low(face.knots_u[i], face.knots_v[j]),
+              size = Eigen::Vector2d(face.knots_u[i + 1], face.knots_v[j + 1]) - low;
+            if (size.minCoeff() <= 0) continue; // a knot that is several
+            const SM::Jet x =
+              face.jet(low + size.cwiseProduct(Eigen::Vector2d(k / 6 + 0.5, k % 6 + 0.5)) / 6);
+            count += x.u.cross(x.v).dot(normal(x.value)) < 0;
+          }
+    return count;
+  };
+  const Hintless<Analytic_map<SM::Plane_atlas>> sheet(
+    [&](const Eigen::Vector2d& p) { return Eigen::Vector3d(jump(20, p[0]), jump(20, p[1]), 0); });
+  CHECK(turned(sheet, [](const Eigen::Vector3d&) { return Eigen::Vector3d(0, 0, 1); }) == 0);
+  const Hintless<Analytic_map<SM::Sphere_atlas>> sphere([&](const Eigen::Vector3d& p) {
+    const double z = 2 * jump(40, (p[2] + 1) / 2) - 1, r = std::hypot(p[0], p[1]);
+    const double s = r > 0 ? std::sqrt((std::max)(0., 1 - z * z)) / r : 0;
+    return Eigen::Vector3d(s * p[0], s * p[1], z);
+  });
+  CHECK(turned(sphere, [](const Eigen::Vector3d& x) { return x; }) == 0);
 }
 
 TEST_CASE("Positions that are not finite are refused")

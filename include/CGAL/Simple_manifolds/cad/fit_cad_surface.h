@@ -105,6 +105,8 @@ Cad_surface fit_cad_surface(const Map& map, const NamedParameters& np)
 /// `Fit_target::FACETS`. The surface is returned also where the tolerances are not reached:
 /// `Cad_report::tolerance_reached` says so, and its deviations are these errors.
 ///
+/// Where the faces would show their other side, by the normals at 25 points of each cell, the fit is made stiff.
+///
 /// \tparam ConcurrencyTag  `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`;
 ///   the result is the same, bit for bit
 /// \param map  a `Mesh_map` or a `Manifold_map` on an atlas for which `has_cad_surface` is true

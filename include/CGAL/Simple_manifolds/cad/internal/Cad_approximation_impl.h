@@ -11,6 +11,7 @@
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/cad/internal/Cad_approximation.h>
 #include <CGAL/Simple_manifolds/cad/internal/Face_cut.h>
+#include <CGAL/Simple_manifolds/cad/internal/Tile_folds.h>
 #include <CGAL/Simple_manifolds/cad/internal/Tile_spline_fit.h>
 #include <CGAL/Simple_manifolds/cad/internal/cad_measures.h>
 #include <CGAL/Simple_manifolds/cad/internal/make_cad_surface.h>
@@ -173,36 +174,64 @@ inline std::vector<Eigen::Vector2d> nodes_of_cell(int degree)
   return degree == 5 ? products(Gauss_rule<6>().nodes) : products(Gauss_rule<4>().nodes);
 }
 
-// What is wrong with a surface: where it has to be refined.
-using Cad_check = std::function<std::vector<Tile_point>(const Cad_surface&)>;
+// Tells how far a fit is: rounds are many or few.
+class Rounds {
+public:
+  explicit Rounds(const Cad_progress& progress) : progress_(progress) {}
+  void next() { progress_(done_ += (0.95 - done_) / 4); }
 
-// Refines until the fit is good, and cuts it into faces; then until the check finds no fault with them.
-inline Cad_surface run(Tile_spline_fit& fit, const Cad_options& options, const Eigen::Vector3d& origin,
-                       const Cad_progress& progress, const Cad_check& check, Cad_report& report)
+private:
+  const Cad_progress& progress_;
+  double done_ = 0;
+};
+
+// Refines until the fit is good.
+inline void refine(Tile_spline_fit& fit, Rounds& rounds)
 {
-  double done = 0;
-  const auto refined = [&] {
-    do {
-      fit.solve();
-      progress(done += (0.95 - done) / 4);
-    } while (fit.refine());
-    return cut_and_join(fit.spline(), options, origin, report.diagonal);
-  };
-  Cad_surface surface = refined();
-  while (fit.refine_at(check(surface))) surface = refined();
-  report.stop = fit.stop() == Tile_spline_fit::Stop::TOLERANCE   ? Cad_stop::TOLERANCE
-                : fit.stop() == Tile_spline_fit::Stop::FUNCTIONS ? Cad_stop::CONTROLS
-                                                                 : Cad_stop::RESOLUTION;
+  do {
+    fit.solve();
+    rounds.next();
+  } while (fit.refine());
+}
 
-  report.functions = std::size_t(fit.spline().space.size());
-  for (const auto& leaf : fit.spline().space.leaves())
+// The same, and then makes the spline stiff where it is folded, as long as that unfolds much of it. The best of what was
+// found.
+inline Tile_spline_fit::Solution refine_and_unfold(Tile_spline_fit& fit, Tile_folds& folds, Rounds& rounds)
+{
+  constexpr int patience = 4; // rounds that gain nothing
+  constexpr double gain = 0.7;
+  refine(fit, rounds);
+  Tile_spline_fit::Solution best = fit.solution();
+  Tile_folds::Found folded = folds(fit.spline());
+  double least = folded.area;
+  for (int idle = 0; !folded.points.empty() && idle < patience && fit.stiffen_at(folded.points); ++idle) {
+    refine(fit, rounds);
+    folded = folds(fit.spline());
+    const bool is_worse = best.stop == Tile_spline_fit::Stop::TOLERANCE &&
+                          fit.solution().stop != Tile_spline_fit::Stop::TOLERANCE;
+    if (is_worse || folded.area > gain * least) continue;
+    least = folded.area;
+    best = fit.solution();
+    idle = -1;
+  }
+  return best;
+}
+
+// What is known of faces and of the spline that they were cut out of.
+inline void complete(const Cad_surface& surface, const Tile_spline_fit::Solution& fit,
+                     const Eigen::Vector3d& origin, Cad_report& report)
+{
+  report.stop = fit.stop == Tile_spline_fit::Stop::TOLERANCE   ? Cad_stop::TOLERANCE
+                : fit.stop == Tile_spline_fit::Stop::FUNCTIONS ? Cad_stop::CONTROLS
+                                                               : Cad_stop::RESOLUTION;
+  report.functions = std::size_t(fit.spline.space.size());
+  for (const auto& leaf : fit.spline.space.leaves())
     report.levels = (std::max)(report.levels, leaf.finest + 1);
   report.faces = surface.faces().size();
   report.edges = surface.edges().size();
   report.controls = surface.number_of_controls();
   measure_faces(surface, origin, report);
   measure_edges(surface, report);
-  return surface;
 }
 
 CGAL_SIMPLE_MANIFOLDS_INLINE Cad_surface approximate(const Tile_gluing& gluing, const Tile_function& function,
@@ -226,10 +255,14 @@ CGAL_SIMPLE_MANIFOLDS_INLINE Cad_surface approximate(const Tile_gluing& gluing, 
   Tile_spline_fit fit(space, fit_options,
                       Function_samples(space, function, box, nodes_of_cell(space.degree())),
                       Function_samples(space, function, box, products(between)));
-  const Cad_check check = [&](const Cad_surface& s) {
-    return measure_deviation(s, function, options.tolerance, report);
+  Rounds rounds(progress);
+  const auto faces = [&] {
+    refine(fit, rounds);
+    return cut_and_join(fit.spline(), options, box.center(), report.diagonal);
   };
-  Cad_surface surface = run(fit, options, box.center(), progress, check, report);
+  Cad_surface surface = faces();
+  while (fit.refine_at(measure_deviation(surface, function, options.tolerance, report))) surface = faces();
+  complete(surface, fit.solution(), box.center(), report);
   report.tolerance_reached = report.max_deviation <= options.tolerance;
   progress(1);
   return surface;
@@ -312,11 +345,20 @@ CGAL_SIMPLE_MANIFOLDS_INLINE Cad_surface fit_points(const Tile_gluing& gluing, c
   fit_options.is_smooth_across_tiles = gluing.number_of_tiles() > 1;
   fit_options.has_threads = has_threads;
   Tile_spline_fit fit(space, fit_options, Point_samples(space, points, function, box), {});
-  const Cad_check check = [](const Cad_surface&) { return std::vector<Tile_point>(); };
-  Cad_surface surface = run(fit, options, box.center(), progress, check, report);
-  report.rms_deviation = fit.rms_error();
-  report.max_deviation = fit.max_error();
-  report.worst_point = box.center() + report.diagonal * fit.worst_value();
+  Rounds rounds(progress);
+  Tile_folds folds(
+    [&](const std::vector<Tile_point>& places) {
+      std::vector<Eigen::Vector3d> values = function(places);
+      for (Eigen::Vector3d& x : values) x = (x - box.center()) / report.diagonal;
+      return values;
+    },
+    rms_error, has_threads);
+  const Tile_spline_fit::Solution best = refine_and_unfold(fit, folds, rounds);
+  Cad_surface surface = cut_and_join(best.spline, options, box.center(), report.diagonal);
+  complete(surface, best, box.center(), report);
+  report.rms_deviation = best.rms_error;
+  report.max_deviation = best.max_error;
+  report.worst_point = box.center() + report.diagonal * best.worst_value;
   report.tolerance_reached = report.rms_deviation <= rms_error && report.max_deviation <= max_error;
   progress(1);
   return surface;

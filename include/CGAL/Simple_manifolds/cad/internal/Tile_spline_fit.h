@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_CAD_INTERNAL_TILE_SPLINE_FIT_H
 
 #include <CGAL/Simple_manifolds/cad/internal/Tile_spline.h>
+#include <CGAL/Simple_manifolds/cad/internal/Tile_stiffness.h>
 #include <CGAL/Simple_manifolds/internal/compiled.h>
 
 #include <Eigen/Core>
@@ -29,6 +30,8 @@ struct Cell_samples {
   std::vector<Eigen::Vector3d> values;
   std::size_t measured = 0; ///< the first ones, which the errors are of; others only steady the fit
   double steadying = 1;     ///< the weight of these others; that of the first ones is 1
+
+  double weight() const { return double(measured) + steadying * double(places.size() - measured); }
 };
 
 /// Least squares by hierarchical splines, with exact smoothness between tiles. Where the error is too large cells are
@@ -48,6 +51,13 @@ public:
 
   enum class Stop { TOLERANCE, FUNCTIONS, LEVELS };
 
+  struct Solution {
+    Tile_spline spline;
+    double rms_error = 0, max_error = 0;
+    Eigen::Vector3d worst_value = Eigen::Vector3d::Zero(); ///< the sample with the largest error
+    Stop stop = Stop::TOLERANCE;                           ///< why it is not refined
+  };
+
   /// \param check  more samples, which a fit that is within the tolerance at the others is tested at; may be empty
   Tile_spline_fit(const Tile_spline_space& space, const Options& options, Sampler sampler, Sampler check);
 
@@ -62,12 +72,15 @@ public:
   /// \return likewise
   bool refine_at(const std::vector<Tile_point>& points);
 
-  const Tile_spline& spline() const { return spline_; }
-  double rms_error() const { return rms_; }
-  double max_error() const { return max_; }
-  /// The sample with the largest error.
-  const Eigen::Vector3d& worst_value() const { return worst_; }
-  Stop stop() const { return stop_; }
+  /// Makes the spline stiffer round some points.
+  /// \return whether it was not as stiff as it may be
+  bool stiffen_at(const std::vector<Tile_point>& points)
+  {
+    return stiffness_.add(solution_.spline.space, points);
+  }
+
+  const Solution& solution() const { return solution_; }
+  const Tile_spline& spline() const { return solution_.spline; }
 
 private:
   struct Error {
@@ -82,14 +95,12 @@ private:
   std::vector<Tile_cell> marked(const std::vector<Error>& errors, bool with_rms) const;
   bool refine(const std::vector<Tile_cell>& cells);
 
-  Tile_spline spline_;
+  Solution solution_;
   Options options_;
   Sampler sampler_, check_;
+  Tile_stiffness stiffness_;
   std::unordered_map<std::uint64_t, Cell_samples> samples_, checks_;
   std::vector<Error> errors_; // per leaf
-  double rms_ = 0, max_ = 0;
-  Eigen::Vector3d worst_ = Eigen::Vector3d::Zero();
-  Stop stop_ = Stop::TOLERANCE;
 };
 
 } // namespace internal

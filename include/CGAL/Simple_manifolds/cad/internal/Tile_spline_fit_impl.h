@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/cad/internal/Smoothness_conditions.h>
 #include <CGAL/Simple_manifolds/cad/internal/Tile_spline_fit.h>
+#include <CGAL/Simple_manifolds/cad/internal/face_quadrature.h>
 #include <CGAL/Simple_manifolds/internal/Cholesky_solver.h>
 #include <CGAL/Simple_manifolds/internal/compiled.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
@@ -49,15 +50,26 @@ public:
       a.row(k) = w * rows_.col(0).transpose();
       b.row(k) = w * samples.values[k].transpose();
     }
-    const Eigen::MatrixXd products = a.transpose() * a;
     const Eigen::MatrixX3d sums = a.transpose() * b;
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const int f = leaf.functions[k].function;
-      right_side.row(f) += sums.row(k);
-      for (Eigen::Index l = 0; l < n; ++l)
-        if (const int g = leaf.functions[l].function; f >= g) entries_.emplace_back(f, g, products(k, l));
+    for (Eigen::Index k = 0; k < n; ++k) right_side.row(leaf.functions[k].function) += sums.row(k);
+    add(leaf, a.transpose() * a);
+  }
+
+  // The thin plate energy of the functions of a leaf whose side is 1.
+  void add_energy(const Tile_spline_space& space, const Tile_spline_space::Leaf& leaf, double weight)
+  {
+    constexpr int points = 6; // exact up to degree 5
+    static const Gauss_rule<points> rule;
+    const double size = space.cell_size(leaf.cell.level);
+    const Eigen::Index n = Eigen::Index(leaf.functions.size());
+    Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(n, n);
+    for (int k = 0; k < points * points; ++k) {
+      const Eigen::Vector2d inside(rule.nodes[k / points], rule.nodes[k % points]);
+      space.evaluate(leaf, (Eigen::Vector2d(leaf.cell.i, leaf.cell.j) + inside) * size, 2, rows_);
+      const double w = weight * rule.weights[k / points] * rule.weights[k % points] * std::pow(size, 4);
+      for (const int c : {3, 4, 4, 5}) energy += w * rows_.col(c) * rows_.col(c).transpose();
     }
-    if (entries_.size() > portion) sum_up();
+    add(leaf, energy);
   }
 
   void sum_up()
@@ -72,6 +84,15 @@ public:
   Eigen::MatrixX3d right_side;
 
 private:
+  void add(const Tile_spline_space::Leaf& leaf, const Eigen::MatrixXd& products)
+  {
+    for (std::size_t k = 0; k < leaf.functions.size(); ++k)
+      for (std::size_t l = 0; l < leaf.functions.size(); ++l)
+        if (const int f = leaf.functions[k].function, g = leaf.functions[l].function; f >= g)
+          entries_.emplace_back(f, g, products(Eigen::Index(k), Eigen::Index(l)));
+    if (entries_.size() > portion) sum_up();
+  }
+
   static constexpr std::size_t portion = 8000000;
   std::vector<Eigen::Triplet<double>> entries_;
   Tile_spline_space::Rows rows_;
@@ -117,7 +138,7 @@ inline Eigen::MatrixX3d solve_with_conditions(const Tile_normal_equations& norma
 CGAL_SIMPLE_MANIFOLDS_INLINE Tile_spline_fit::Tile_spline_fit(const Tile_spline_space& space,
                                                               const Options& options, Sampler sampler,
                                                               Sampler check)
-  : spline_(space), options_(options), sampler_(std::move(sampler)), check_(std::move(check))
+  : solution_{Tile_spline(space)}, options_(options), sampler_(std::move(sampler)), check_(std::move(check))
 {
 }
 
@@ -126,7 +147,7 @@ Tile_spline_fit::find_samples(const Sampler& sampler,
                               std::unordered_map<std::uint64_t, Cell_samples>& known) const
 {
   std::vector<Tile_cell> cells;
-  for (const Tile_spline_space::Leaf& leaf : spline_.space.leaves())
+  for (const Tile_spline_space::Leaf& leaf : solution_.spline.space.leaves())
     if (known.count(leaf.cell.key()) == 0) cells.push_back(leaf.cell);
   std::vector<Cell_samples> samples = sampler(cells);
   for (std::size_t k = 0; k < cells.size(); ++k) known[cells[k].key()] = std::move(samples[k]);
@@ -138,10 +159,11 @@ Tile_spline_fit::error(const Tile_spline_space::Leaf& leaf, const Cell_samples& 
   Error e;
   Tile_spline_space::Rows rows;
   for (std::size_t k = 0; k < samples.measured; ++k) {
-    spline_.space.evaluate(leaf, samples.places[k], 0, rows);
+    solution_.spline.space.evaluate(leaf, samples.places[k], 0, rows);
     Eigen::Vector3d x = -samples.values[k];
     for (std::size_t l = 0; l < leaf.functions.size(); ++l)
-      x += rows(Eigen::Index(l), 0) * spline_.coefficients.row(leaf.functions[l].function).transpose();
+      x +=
+        rows(Eigen::Index(l), 0) * solution_.spline.coefficients.row(leaf.functions[l].function).transpose();
     e.sum += x.squaredNorm();
     if (x.norm() <= e.max) continue;
     e.max = x.norm();
@@ -155,7 +177,7 @@ CGAL_SIMPLE_MANIFOLDS_INLINE std::vector<Tile_spline_fit::Error>
 Tile_spline_fit::errors(const Sampler& sampler, std::unordered_map<std::uint64_t, Cell_samples>& known)
 {
   find_samples(sampler, known);
-  const std::vector<Tile_spline_space::Leaf>& leaves = spline_.space.leaves();
+  const std::vector<Tile_spline_space::Leaf>& leaves = solution_.spline.space.leaves();
   std::vector<Error> list(leaves.size());
   constexpr int piece = 64;
   const int n = int(leaves.size());
@@ -170,27 +192,31 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Tile_spline_fit::solve()
 {
   constexpr double weight = 100; // of the conditions: more costs digits, less costs steps
   find_samples(sampler_, samples_);
-  const Tile_spline_space& space = spline_.space;
+  const Tile_spline_space& space = solution_.spline.space;
   Tile_normal_equations normal(space.size());
-  for (const Tile_spline_space::Leaf& leaf : space.leaves())
-    normal.add(space, leaf, samples_.at(leaf.cell.key()));
+  for (const Tile_spline_space::Leaf& leaf : space.leaves()) {
+    const Cell_samples& samples = samples_.at(leaf.cell.key());
+    normal.add(space, leaf, samples);
+    if (const double strength = stiffness_.at(leaf.cell); strength > 0)
+      normal.add_energy(space, leaf, strength * samples.weight());
+  }
   normal.sum_up();
   Eigen::SparseMatrix<double, Eigen::RowMajor> conditions;
   if (options_.is_smooth_across_tiles) conditions = Smoothness_conditions::matrix(space, weight);
-  spline_.coefficients = solve_with_conditions(normal, conditions, weight);
+  solution_.spline.coefficients = solve_with_conditions(normal, conditions, weight);
 
   errors_ = errors(sampler_, samples_);
   double sum = 0;
   std::size_t count = 0;
-  max_ = 0;
+  solution_.max_error = 0;
   for (const Error& e : errors_) {
     sum += e.sum;
     count += e.count;
-    if (e.max <= max_) continue;
-    max_ = e.max;
-    worst_ = e.worst;
+    if (e.max <= solution_.max_error) continue;
+    solution_.max_error = e.max;
+    solution_.worst_value = e.worst;
   }
-  rms_ = count > 0 ? std::sqrt(sum / double(count)) : 0;
+  solution_.rms_error = count > 0 ? std::sqrt(sum / double(count)) : 0;
 }
 
 // The leaves with too large an error, and those with the largest shares of too large a sum of squares.
@@ -220,7 +246,7 @@ CGAL_SIMPLE_MANIFOLDS_INLINE std::vector<Tile_cell> Tile_spline_fit::marked(cons
   }
   std::vector<Tile_cell> cells;
   for (std::size_t k = 0; k < errors.size(); ++k)
-    if (is_marked[k]) cells.push_back(spline_.space.leaves()[k].cell);
+    if (is_marked[k]) cells.push_back(solution_.spline.space.leaves()[k].cell);
   return cells;
 }
 
@@ -238,18 +264,19 @@ CGAL_SIMPLE_MANIFOLDS_INLINE bool Tile_spline_fit::refine_at(const std::vector<T
 {
   if (points.empty()) return false; // why there is no more to do is known
   std::vector<Tile_cell> cells;
-  for (const Tile_point& p : points) cells.push_back(spline_.space.leaf_at(p.tile, p.st, false, false).cell);
+  for (const Tile_point& p : points)
+    cells.push_back(solution_.spline.space.leaf_at(p.tile, p.st, false, false).cell);
   return refine(cells);
 }
 
 CGAL_SIMPLE_MANIFOLDS_INLINE bool Tile_spline_fit::refine(const std::vector<Tile_cell>& cells)
 {
-  stop_ = Stop::TOLERANCE;
+  solution_.stop = Stop::TOLERANCE;
   if (cells.empty()) return false;
-  stop_ = Stop::FUNCTIONS;
-  if (std::size_t(spline_.space.size()) >= options_.max_functions) return false;
-  stop_ = Stop::LEVELS;
-  return spline_.space.refine(cells);
+  solution_.stop = Stop::FUNCTIONS;
+  if (std::size_t(solution_.spline.space.size()) >= options_.max_functions) return false;
+  solution_.stop = Stop::LEVELS;
+  return solution_.spline.space.refine(cells);
 }
 
 } // namespace internal
