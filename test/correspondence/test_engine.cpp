@@ -8,6 +8,7 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/lay_out.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Plane_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Sphere_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/Torus_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/torus_cocycles.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/split_edges.h>
 #include <CGAL/Simple_manifolds/internal/Star_kernel.h>
@@ -403,6 +404,92 @@ TEST_CASE("The engine needs no more of a geometry than its concept promises", "[
   Random random(7);
   const Triangle_mesh mesh = random_sphere(200, 300, 0, random);
   CHECK(laid_out<Geometry_archetype>(mesh) == laid_out<Sphere_geometry>(mesh));
+}
+
+namespace {
+
+double between(Random& random, double a, double b) { return a + (b - a) * random.real(); }
+
+// Stands for a Star_table of one vertex.
+template <class Geometry>
+struct One_star {
+  std::vector<typename Geometry::Neighbour> neighbour;
+  std::vector<typename Star<Geometry>::Table::Sector> sector;
+
+  int degree(int) const { return static_cast<int>(sector.size()); }
+  const auto* neighbours(int) const { return neighbour.data(); }
+  const auto* sectors(int) const { return sector.data(); }
+};
+
+// The vertex 0 of `geometry` with the others round it. make(i): the neighbour i.
+template <class Geometry, class Make>
+void check_lanes(const Geometry& geometry, int degree, const Make& make, Energy energy_kind, Random& random)
+{
+  Map_options options;
+  options.energy = energy_kind;
+  const Distortion_energy energy(options);
+  One_star<Geometry> table;
+  Star<Geometry> star;
+  star.position = geometry.position(0);
+  for (int i = 0; i < degree; ++i) {
+    table.neighbour.push_back(make(i + 1));
+    const auto cot = [&] { return static_cast<float>(between(random, -0.1, 0.4)); };
+    table.sector.push_back({cot(), cot(), cot(), static_cast<float>(between(random, 0.01, 0.1))});
+    star.ring.push_back(geometry.seen(table.neighbour[i]));
+  }
+  star.ring.push_back(star.ring[0]);
+  star.sectors = table.sectors(0);
+  for (int i = 0; i < degree; ++i)
+    star.fixed.push_back(star.sectors[i].cot_v *
+                         geometry.squared_length(typename Geometry::Point(star.ring[i + 1] - star.ring[i])));
+  typename Geometry::Short_star lanes;
+  lanes.gather(geometry, table, 0);
+
+  const Quadratic_model m = geometry.model(star, energy), n = geometry.model(lanes, energy);
+  CHECK(std::array{m.value, m.g0, m.g1, m.h00, m.h01, m.h11} ==
+        std::array{n.value, n.g0, n.g1, n.h00, n.h01, n.h11});
+  for (const double length : {0., 0.05, 0.1, 1.}) { // the last one turns faces over
+    const Vector2d step(length * between(random, -1, 1), length);
+    const auto p = geometry.moved(star, step);
+    CHECK(p == geometry.moved(lanes, step));
+    const double e = star.energy(geometry, energy, p);
+    CHECK(std::isfinite(e) == (length < 1));
+    CHECK(e == lanes.energy(geometry, energy, p));
+  }
+}
+
+} // namespace
+
+TEST_CASE("Short stars in lanes have the numbers of stars, to the last bit", "[engine]")
+{
+  Random random(11);
+  for (const Energy energy : {Energy::SYMMETRIC_DIRICHLET, Energy::AMIPS})
+    for (int degree = 3; degree <= 8; ++degree) {
+      const Vector3d p = Vector3d(0.3, -0.5, 0.8).normalized(), s = p.unitOrthogonal(), t = p.cross(s);
+      Sphere_geometry sphere(degree + 1);
+      Torus_geometry torus(degree + 1, 0);
+      Plane_geometry plane(std::vector<unsigned char>(degree + 1, 0), -1);
+      torus.set_metric((Eigen::Matrix2d() << 2, 0.5, 0.5, 0.625).finished());
+      sphere.set_position(0, p);
+      torus.set_position(0, Vector2d(0.5, 0.5));
+      plane.set_position(0, Vector2d(0.5, 0.5));
+      for (int i = 1; i <= degree; ++i) {
+        const double angle = (i + between(random, -0.2, 0.2)) * 6.283185307 / degree;
+        const Vector2d x = between(random, 0.35, 0.45) * Vector2d(std::cos(angle), std::sin(angle));
+        sphere.set_position(i, (p + s * x[0] + t * x[1]).normalized());
+        torus.set_position(i, Vector2d(0.5, 0.5) + x - Vector2d(1, 0));
+        plane.set_position(i, Vector2d(0.5, 0.5) + x);
+      }
+      const auto vertex = [](int i) { return i; };
+      check_lanes(sphere, degree, vertex, energy, random);
+      check_lanes(plane, degree, vertex, energy, random);
+      check_lanes(
+        torus, degree,
+        [](int i) {
+          return Torus_geometry::Neighbour{i, Deck{1, 0}};
+        },
+        energy, random);
+    }
 }
 
 TEST_CASE("Snapped coordinates lie on the grid of 2^-50", "[engine]")

@@ -14,15 +14,24 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Star.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/star_placement.h>
 #include <CGAL/Simple_manifolds/internal/Star_kernel.h>
+#include <CGAL/Simple_manifolds/internal/call_for_avx2.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
+
+// Whether a geometry has a version of its stars for vectors, see Star_lanes.
+template <class Geometry, class = void>
+inline constexpr bool has_short_stars = false;
+template <class Geometry>
+inline constexpr bool has_short_stars<Geometry, std::void_t<typename Geometry::Short_star>> = true;
 
 // The embedding of a triangulated surface in a domain, valid at every moment:
 //  1. the mesh is reduced to a base that is embedded directly (Collapse_hierarchy);
@@ -130,13 +139,12 @@ private:
     parallel_for(is_parallel_, first, last, grain, [&](int begin, int end) {
       Star star;
       Star_kernel kernel;
-      for (int v = begin; v < end; ++v) {
+      for (int v = begin; v < end; ++v)
         if (!place(v, star, kernel)) {
           all_placed = false;
           return;
         }
-        for (int i = 0; i < 4; ++i) relax(v, star);
-      }
+      for (int i = 0; i < 4; ++i) relax(begin, end);
     });
     return all_placed;
   }
@@ -160,15 +168,12 @@ private:
     if (!landmarks_.empty() && mesh_.number_of_active_vertices() < 1000) geometry_.align(active_landmarks());
     for (int i = 0; i < times; ++i) {
       if (i % 4 == 0 && geometry_.update_metric(mesh_, targets_, energy_)) build_stars();
-      Star star;
-      for (int v = 0; v < mesh_.level_end(0); ++v) relax(v, star);
+      Relaxation<Star> base;
+      for (int v = 0; v < mesh_.level_end(0); ++v) relax(v, base);
       // The vertices of a level are not adjacent: any order, and any number of threads, gives the same.
       for (int l = 1; l <= mesh_.level(); ++l)
         parallel_for(is_parallel_, mesh_.level_end(l - 1), mesh_.level_end(l), grain,
-                     [&](int first, int last) {
-                       Star local;
-                       for (int v = first; v < last; ++v) relax(v, local);
-                     });
+                     [&](int begin, int end) { relax(begin, end); });
     }
   }
 
@@ -180,31 +185,106 @@ private:
     return active;
   }
 
+  // What a step of a vertex is made of.
+  template <class Some_star>
+  struct Relaxation {
+    int vertex;
+    Some_star star;
+    Quadratic_model model;
+    Eigen::Vector2d step;
+    double slope;
+    Point moved;
+    double value;
+  };
+
   // One Newton step for v alone, over-relaxed, with a line search that stays valid.
-  void relax(int v, Star& star)
+  void relax(int v, Relaxation<Star>& r)
   {
-    const int dof = v == mesh_.apex() ? 0 : geometry_.degrees_of_freedom(v);
-    if (dof == 0) return;
-    star.gather(geometry_, stars_, v, mesh_.is_on_border(v));
-    Quadratic_model m = geometry_.model(star, energy_);
-    const Indexed_landmark<Point>* landmark =
-      landmark_of_.empty() || landmark_of_[v] < 0 ? nullptr : &landmarks_[landmark_of_[v]];
-    if (landmark) geometry_.attract(m, star.position, landmark->target, landmark->weight);
-    const Eigen::Vector2d step = dof == 2 ? geometry_.newton_step(m) : step_along_side(geometry_, v, m);
-    const double slope = step[0] * m.g0 + step[1] * m.g1;
-    if (!(slope < 0)) return;
-    double scale = over_relaxation;
-    for (int i = 0; i < 12; ++i, scale /= 2) {
-      const Point q = geometry_.moved(star, scale * step);
-      double value = star.energy(geometry_, energy_, q);
-      if (landmark) value += landmark->weight * geometry_.squared_distance(q, landmark->target);
-      if (value <= m.value + 1e-4 * scale * slope) {
-        geometry_.set_position(v, q);
-        return;
-      }
+    if (degrees_of_freedom(v) == 0) return;
+    r.vertex = v;
+    r.star.gather(geometry_, stars_, v, mesh_.is_on_border(v));
+    relax(&r, 1);
+  }
+
+  // The same for vertices of one level. Several at a time: one does not wait for the square roots of the other.
+  void relax(int first, int last)
+  {
+    Relaxation<Star> any;
+    if constexpr (has_short_stars<Geometry>) {
+      using Short_star = typename Geometry::Short_star;
+      const auto is_short = [&](int v) {
+        return degrees_of_freedom(v) == 2 && !mesh_.is_on_border(v) && stars_.degree(v) <= Short_star::lanes;
+      };
+      for (int v = first; v < last; ++v)
+        if (!is_short(v)) relax(v, any);
+      call_with_widest_vectors([&] {
+        std::array<Relaxation<Short_star>, batch> some;
+        for (int v = first; v < last;) {
+          int n = 0;
+          for (; v < last && n < batch; ++v)
+            if (is_short(v)) {
+              some[n].vertex = v;
+              some[n++].star.gather(geometry_, stars_, v);
+            }
+          relax(some.data(), n);
+        }
+      });
+    } else {
+      for (int v = first; v < last; ++v) relax(v, any);
     }
   }
 
+  template <class Some_star>
+  void relax(Relaxation<Some_star>* r, int n)
+  {
+    for (int k = 0; k < n; ++k) set_step(r[k]);
+    std::array<int, batch> active;
+    int number = 0;
+    for (int k = 0; k < n; ++k)
+      if (r[k].slope < 0) active[number++] = k;
+    double scale = over_relaxation;
+    for (int i = 0; number > 0 && i < 12; ++i, scale /= 2) {
+      for (int k = 0; k < number; ++k) {
+        Relaxation<Some_star>& x = r[active[k]];
+        x.moved = geometry_.moved(x.star, scale * x.step);
+      }
+      for (int k = 0; k < number; ++k) {
+        Relaxation<Some_star>& x = r[active[k]];
+        x.value = x.star.energy(geometry_, energy_, x.moved);
+        if (const auto* landmark = landmark_of(x.vertex))
+          x.value += landmark->weight * geometry_.squared_distance(x.moved, landmark->target);
+      }
+      int left = 0;
+      for (int k = 0; k < number; ++k) {
+        const Relaxation<Some_star>& x = r[active[k]];
+        if (x.value <= x.model.value + 1e-4 * scale * x.slope)
+          geometry_.set_position(x.vertex, x.moved);
+        else
+          active[left++] = active[k];
+      }
+      number = left;
+    }
+  }
+
+  template <class Some_star>
+  void set_step(Relaxation<Some_star>& r) const
+  {
+    r.model = geometry_.model(r.star, energy_);
+    if (const auto* landmark = landmark_of(r.vertex))
+      geometry_.attract(r.model, r.star.position, landmark->target, landmark->weight);
+    r.step = degrees_of_freedom(r.vertex) == 2 ? geometry_.newton_step(r.model)
+                                               : step_along_side(geometry_, r.vertex, r.model);
+    r.slope = r.step[0] * r.model.g0 + r.step[1] * r.model.g1;
+  }
+
+  int degrees_of_freedom(int v) const { return v == mesh_.apex() ? 0 : geometry_.degrees_of_freedom(v); }
+
+  const Indexed_landmark<Point>* landmark_of(int v) const
+  {
+    return landmark_of_.empty() || landmark_of_[v] < 0 ? nullptr : &landmarks_[landmark_of_[v]];
+  }
+
+  static constexpr int batch = 8;
   static constexpr double over_relaxation = 1.8;
   static constexpr int grain = 256; // sweeps of all levels pass the coarse ones too, which are short
 

@@ -68,12 +68,17 @@ public:
   // New number of a vertex of the input.
   int number_of(int input_vertex) const { return number_[input_vertex]; }
 
+  // How the faces of a level are numbered: as its vertices, which is good for the cache, or as they are brought back,
+  // for geometries that take sums over faces: their maps keep their last bits.
+  enum class Face_order { BY_VERTEX, BY_COLLAPSE };
+
   // Removes vertices until `minimum` are left or none can go. removable(v): may v be removed at all?
   // admissible(u, ring, i): may u be merged into ring[i], beyond the link condition? reluctance(v): a factor of
   // the cost of removing v.
   template <class Removable, class Admissible, class Reluctance, class Progress>
   void decimate(bool is_parallel, int minimum, const Removable& removable, const Admissible& admissible,
-                const Reluctance& reluctance, const Progress& progress)
+                const Reluctance& reluctance, const Progress& progress,
+                Face_order order = Face_order::BY_COLLAPSE)
   {
     const int n = number_of_vertices();
     std::vector<int> active(n), removed; // removed: in the order of removal
@@ -131,7 +136,7 @@ public:
         break; // the base: nothing is contractible
       }
     }
-    renumber(active, removed, level_start);
+    renumber(active, removed, level_start, order);
   }
 
   // Brings the next level back. The new vertices are [previous number of active vertices, new one).
@@ -269,7 +274,7 @@ private:
 
   // Names by level, coarse to fine, the old order (the caller's, good for the cache) inside a level.
   void renumber(const std::vector<int>& base, const std::vector<int>& removed,
-                const std::vector<std::size_t>& level_start)
+                const std::vector<std::size_t>& level_start, Face_order order)
   {
     const int n = number_of_vertices(), levels = static_cast<int>(level_start.size());
     number_.assign(n, -1);
@@ -293,10 +298,14 @@ private:
     std::vector<int> face_number(faces, -1);
     int next_face = faces - 2 * static_cast<int>(undo_.size());
     face_end_.assign(1, next_face);
+    std::vector<int> half_edges = undo_;
+    if (order == Face_order::BY_VERTEX)
+      for (int v = 0; v < n; ++v)
+        if (number_[v] >= level_end_[0]) half_edges[number_[v] - level_end_[0]] = collapse_[v];
     for (int l = 1; l <= levels; ++l) {
       for (int i = undo_start_[l - 1]; i < undo_start_[l]; ++i) {
-        face_number[undo_[i] / 3] = next_face++;
-        face_number[table_.opposite(undo_[i]) / 3] = next_face++;
+        face_number[half_edges[i] / 3] = next_face++;
+        face_number[table_.opposite(half_edges[i]) / 3] = next_face++;
       }
       face_end_.push_back(next_face);
     }

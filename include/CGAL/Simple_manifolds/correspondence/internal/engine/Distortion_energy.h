@@ -49,22 +49,54 @@ inline std::array<float, 3> quarter_cotangents(const Eigen::Vector3d& a, const E
 // Both have the form alpha(S) D + beta(S) and tend to infinity at S = 0: a barrier.
 class Distortion_energy {
 public:
-  explicit Distortion_energy(const Map_options& o) : amips_(o.energy == Energy::AMIPS), lambda_(o.lambda) {}
-
-  double value(double D, double S, double A) const
-  {
-    const double q = A / S;
-    return amips_ ? q * D + lambda_ * (S + A * q) : D * (1 + q * q);
-  }
-
   struct Derivatives {
     double D, S, SD, SS;
   }; // the second derivative by D is 0
+
+  struct Symmetric_dirichlet {
+    double value(double D, double S, double A) const
+    {
+      const double q = A / S;
+      return D * (1 + q * q);
+    }
+    Derivatives derivatives(double D, double S, double A) const
+    {
+      const double s = 1 / S, q = A * s, qq = q * q;
+      return {1 + qq, -2 * qq * s * D, -2 * qq * s, 6 * qq * s * s * D};
+    }
+  };
+
+  struct Amips {
+    double lambda;
+
+    double value(double D, double S, double A) const
+    {
+      const double q = A / S;
+      return q * D + lambda * (S + A * q);
+    }
+    Derivatives derivatives(double D, double S, double A) const
+    {
+      const double s = 1 / S, q = A * s, qq = q * q;
+      return {q, -q * s * D + lambda * (1 - qq), -q * s, 2 * q * s * (s * D + lambda * q)};
+    }
+  };
+
+  explicit Distortion_energy(const Map_options& o) : amips_(o.energy == Energy::AMIPS), lambda_(o.lambda) {}
+
+  // f(energy) with the energy that was chosen: loops ask once, not per face.
+  template <class F>
+  auto visit(const F& f) const
+  {
+    return amips_ ? f(Amips{lambda_}) : f(Symmetric_dirichlet());
+  }
+
+  double value(double D, double S, double A) const
+  {
+    return visit([&](const auto& energy) { return energy.value(D, S, A); });
+  }
   Derivatives derivatives(double D, double S, double A) const
   {
-    const double s = 1 / S, q = A * s, qq = q * q;
-    if (amips_) return {q, -q * s * D + lambda_ * (1 - qq), -q * s, 2 * q * s * (s * D + lambda_ * q)};
-    return {1 + qq, -2 * qq * s * D, -2 * qq * s, 6 * qq * s * s * D};
+    return visit([&](const auto& energy) { return energy.derivatives(D, S, A); });
   }
 
   // alpha(S): the weight of D, see Flat_geometry::update_metric.
@@ -80,8 +112,9 @@ struct Quadratic_model {
   double value = 0, g0 = 0, g1 = 0, h00 = 0, h01 = 0, h11 = 0;
 
   // Adds a face: derivatives e of its energy, gradients (d, s) of D and S, Hessian of D.
-  void add(const Distortion_energy::Derivatives& e, const Eigen::Vector2d& d, const Eigen::Vector2d& s,
-           double d00, double d01, double d11)
+  template <class Vector = std::array<double, 2>>
+  void add(const Distortion_energy::Derivatives& e, const Vector& d, const Vector& s, double d00, double d01,
+           double d11)
   {
     g0 += e.D * d[0] + e.S * s[0];
     g1 += e.D * d[1] + e.S * s[1];

@@ -22,6 +22,12 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
+// Whether a geometry has a metric that it finds by sums over all faces.
+template <class Geometry, class = void>
+inline constexpr bool geometry_sums_over_faces = false;
+template <class Geometry>
+inline constexpr bool geometry_sums_over_faces<Geometry, std::enable_if_t<Geometry::has_metric>> = true;
+
 inline constexpr int number_of_attempts = 3;
 
 // The order of the points along Morton's curve: neighbours in space become neighbours in memory.
@@ -140,7 +146,9 @@ bool lay_out(bool is_parallel, const Layout_problem<Point>& problem, Map_options
       is_parallel, geometry.minimum_vertices, [&](int v) { return geometry.is_removable(v); },
       [&](int u, const std::vector<int>& ring, int i) { return geometry.is_admissible(u, ring, i); },
       [&](int v) { return reluctance.empty() ? 1.f : reluctance[v]; },
-      [&](double fraction) { visitor.progress(fraction); });
+      [&](double fraction) { visitor.progress(fraction); },
+      geometry_sums_over_faces<Geometry> ? Collapse_hierarchy::Face_order::BY_COLLAPSE
+                                         : Collapse_hierarchy::Face_order::BY_VERTEX);
     visitor.end_phase();
     geometry.renumber(mesh);
     std::vector<Indexed_landmark<Point>> landmarks = problem.landmarks;

@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_FLAT_GEOMETRY_H
 
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Star.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/Star_lanes.h>
 #include <CGAL/Simple_manifolds/internal/Star_kernel.h>
 
 #include <algorithm>
@@ -33,16 +34,19 @@ public:
   const Point& position(int v) const { return position_[v]; }
   void set_position(int v, const Point& p) { position_[v] = p; }
 
-  double squared_length(const Point& d) const
+  double squared_length(const double* d) const
   {
     return m00_ * d[0] * d[0] + 2 * m01_ * d[0] * d[1] + m11_ * d[1] * d[1];
   }
-  static double cross(const Point& a, const Point& b) { return a[0] * b[1] - a[1] * b[0]; }
+  double squared_length(const Point& d) const { return squared_length(d.data()); }
+  static double cross(const double* a, const double* b) { return a[0] * b[1] - a[1] * b[0]; }
+  static double cross(const Point& a, const Point& b) { return cross(a.data(), b.data()); }
   // Twice the area of (p, p + a, p + b).
+  static double twice_area(const Point&, const double* a, const double* b) { return cross(a, b); }
   static double twice_area(const Point&, const Point& a, const Point& b) { return cross(a, b); }
 
-  template <class Star>
-  Quadratic_model model(const Star& star, const Distortion_energy& energy) const
+  template <class Geometry>
+  Quadratic_model model(const Star<Geometry>& star, const Distortion_energy& energy) const
   {
     Quadratic_model m;
     Point a = star.ring[0] - star.position;
@@ -64,6 +68,32 @@ public:
       length_a = length_b;
     }
     return m;
+  }
+
+  // The same to the last bit.
+  template <class Geometry>
+  Quadratic_model model(const Star_lanes<Geometry, 2>& star, const Distortion_energy& energy) const
+  {
+    constexpr int lanes = Star_lanes<Geometry, 2>::lanes;
+    return energy.visit([&](const auto& chosen) {
+      const Point& p = star.position;
+      const double m00 = m00_, m01 = m01_, m11 = m11_;
+      Model_lanes faces;
+      for (int i = 0; i < lanes; ++i) {
+        const double a[2] = {star.ring[0][i] - p[0], star.ring[1][i] - p[1]};
+        const double b[2] = {star.ring[0][i + 1] - p[0], star.ring[1][i + 1] - p[1]};
+        const double S = 0.5 * cross(a, b);
+        const double cot_a = star.cot_a[i], cot_b = star.cot_b[i];
+        const double D = star.fixed[i] + cot_b * squared_length(a) + cot_a * squared_length(b);
+        const double g[2] = {-2 * (cot_b * a[0] + cot_a * b[0]), -2 * (cot_b * a[1] + cot_a * b[1])};
+        const double h = 2 * star.cot_sum[i];
+        Quadratic_model m;
+        m.add(chosen.derivatives(D, S, star.area[i]), {m00 * g[0] + m01 * g[1], m01 * g[0] + m11 * g[1]},
+              {0.5 * (a[1] - b[1]), 0.5 * (b[0] - a[0])}, h * m00, h * m01, h * m11);
+        faces.set(i, chosen.value(D, S, star.area[i]), m);
+      }
+      return faces.sum(star.number_of_sectors);
+    });
   }
 
   // Adds weight * |difference|^2 to the model.

@@ -67,6 +67,7 @@ public:
   }
   using Neighbour = int;
   using Star = internal::Star<Plane_geometry>;
+  using Short_star = Star_lanes<Plane_geometry, 2>;
   static Neighbour neighbour(const Corner_table& t, int h) { return t.target(h); }
   const Point& seen(Neighbour v) const { return position_[v]; }
 

@@ -12,10 +12,12 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Collapse_hierarchy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Distortion_energy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Star.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/Star_lanes.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -31,6 +33,16 @@ public:
   using Neighbour = int;
   using Star = internal::Star<Sphere_geometry>;
   using Frame = Gnomonic_chart::Frame;
+  struct Short_star : Star_lanes<Sphere_geometry, 3> {
+    Frame frame; // of the tangent plane at the position
+
+    template <class Table>
+    void gather(const Sphere_geometry& geometry, const Table& table, int v)
+    {
+      Star_lanes::gather(geometry, table, v);
+      frame = tangent_frame(position);
+    }
+  };
   static constexpr double total_area = 4 * 3.14159265358979323846;
   static constexpr int minimum_vertices = 4;
 
@@ -69,8 +81,14 @@ public:
   const Point& seen(Neighbour v) const { return position_[v]; }
 
   static double squared_length(const Point& d) { return d.squaredNorm(); }
+  static double squared_length(const double* d) { return d[0] * d[0] + d[1] * d[1] + d[2] * d[2]; }
   // Twice the area of (p, p + a, p + b): with differences, for the precision of the smallest stars.
   static double twice_area(const Point& p, const Point& a, const Point& b) { return p.dot(a.cross(b)); }
+  static double twice_area(const Point& p, const double* a, const double* b)
+  {
+    return p[0] * (a[1] * b[2] - a[2] * b[1]) + p[1] * (a[2] * b[0] - a[0] * b[2]) +
+           p[2] * (a[0] * b[1] - a[1] * b[0]);
+  }
 
   // Energy, gradient and Hessian in the coordinates of `moved`.
   Quadratic_model model(const Star& star, const Distortion_energy& energy) const
@@ -99,7 +117,7 @@ public:
                                0.5 * (b[0] - a[0] + a[2] * b[0] - a[0] * b[2]));
       const double hD = 2 * (s.cot_a + s.cot_b);
       m.value += energy.value(D, S, s.area);
-      m.add(e, gD.head<2>(), gS, hD, 0, hD);
+      m.add<Eigen::Vector2d>(e, gD.head<2>(), gS, hD, 0, hD);
       normal += e.D * gD[2] + e.S * S;
       a = b;
       length_a = length_b;
@@ -108,6 +126,46 @@ public:
     m.h11 -= normal;
     return m;
   }
+  // The same to the last bit.
+  Quadratic_model model(const Short_star& star, const Distortion_energy& energy) const
+  {
+    return energy.visit([&](const auto& chosen) {
+      const Point& p = star.position;
+      const Frame& frame = star.frame;
+      double local[3][Short_star::lanes + 1];
+      for (int i = 0; i <= Short_star::lanes; ++i) {
+        const double x = star.ring[0][i] - p[0], y = star.ring[1][i] - p[1], z = star.ring[2][i] - p[2];
+        local[0][i] = frame(0, 0) * x + frame(1, 0) * y + frame(2, 0) * z;
+        local[1][i] = frame(0, 1) * x + frame(1, 1) * y + frame(2, 1) * z;
+        local[2][i] = p[0] * x + p[1] * y + p[2] * z;
+      }
+      Model_lanes faces;
+      double normal[Short_star::lanes];
+      for (int i = 0; i < Short_star::lanes; ++i) {
+        const double a[3] = {local[0][i], local[1][i], local[2][i]};
+        const double b[3] = {local[0][i + 1], local[1][i + 1], local[2][i + 1]};
+        const double S = 0.5 * (a[0] * b[1] - a[1] * b[0]);
+        const double cot_a = star.cot_a[i], cot_b = star.cot_b[i];
+        const double D = star.fixed[i] + cot_b * squared_length(a) + cot_a * squared_length(b);
+        const auto e = chosen.derivatives(D, S, star.area[i]);
+        const double hD = 2 * star.cot_sum[i];
+        Quadratic_model m;
+        m.add(
+          e, {-2 * (cot_b * a[0] + cot_a * b[0]), -2 * (cot_b * a[1] + cot_a * b[1])},
+          {0.5 * (a[1] - b[1] + a[1] * b[2] - a[2] * b[1]), 0.5 * (b[0] - a[0] + a[2] * b[0] - a[0] * b[2])},
+          hD, 0, hD);
+        faces.set(i, chosen.value(D, S, star.area[i]), m);
+        normal[i] = e.D * (-2 * (cot_b * a[2] + cot_a * b[2])) + e.S * S;
+      }
+      Quadratic_model m = faces.sum(star.number_of_sectors);
+      double sum = 0;
+      for (int i = 0; i < star.number_of_sectors; ++i) sum += normal[i];
+      m.h00 -= sum;
+      m.h11 -= sum;
+      return m;
+    });
+  }
+
   // Adds weight * |p - target|^2 to the model at p.
   static void attract(Quadratic_model& m, const Point& p, const Point& target, double weight)
   {
@@ -135,6 +193,10 @@ public:
 
   Eigen::Vector2d newton_step(const Quadratic_model& m) const { return limited(m.newton_step(1, 0, 1), 0.5); }
 
+  Point moved(const Short_star& star, const Eigen::Vector2d& t) const
+  {
+    return (star.position + star.frame * t).normalized();
+  }
   Point moved(const Star& star, const Eigen::Vector2d& t) const
   {
     return (star.position + tangent_frame(star.position) * t).normalized();

@@ -34,6 +34,8 @@ public:
     Deck deck;
   };
   using Star = internal::Star<Torus_geometry>;
+  static constexpr bool has_metric = true;
+  using Short_star = Star_lanes<Torus_geometry, 2>;
 
   Torus_geometry(int number_of_vertices, int number_of_faces)
     : Flat_geometry(number_of_vertices), deck_(3 * static_cast<std::size_t>(number_of_faces))

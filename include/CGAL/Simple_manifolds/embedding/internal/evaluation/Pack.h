@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_PACK_H
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_EVALUATION_PACK_H
 
+#include <CGAL/Simple_manifolds/internal/call_for_avx2.h>
+
 #include <cstring>
 #include <type_traits>
 
@@ -74,16 +76,11 @@ inline constexpr int default_pack_width = 4;
 inline constexpr int default_pack_width = 2;
 #endif
 
-// Calls f(std::integral_constant<int, width>()) with the width that suits this processor. Programs for all
-// x86 processors know packs of two; where the processor has AVX2 the function runs in a version that GCC
-// compiles for it, with all that it calls, at up to twice the speed. (Clang's `flatten` is not that deep.)
-// Fused multiply-add is not asked for, so that the results are the same to the last bit. With sanitizers that
-// much inlining would take minutes to compile.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__AVX2__) &&                 \
-  defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
+// Calls f(std::integral_constant<int, width>()) with the width that suits this processor, see call_for_avx2.h.
+#if CGAL_SIMPLE_MANIFOLDS_HAS_AVX2_VERSIONS
 
 template <class Function>
-__attribute__((target("avx2"), flatten)) void call_with_avx2(const Function& f)
+CGAL_SIMPLE_MANIFOLDS_FOR_AVX2 void call_with_avx2(const Function& f)
 {
   f(std::integral_constant<int, 4>());
 }
