@@ -226,6 +226,7 @@ void write_map_file(const std::string& file, const Manifold_map<Atlas>& map, boo
     ply.value(map.chart(f));
     of_faces.write_values(ply, static_cast<std::size_t>(f));
   });
+  ply.flush();
   output.commit();
 }
 

@@ -11,7 +11,7 @@
 #include <CGAL/Simple_manifolds/IO/Atomic_file.h>
 #include <CGAL/Simple_manifolds/IO/Charted_mesh.h>
 #include <CGAL/Simple_manifolds/IO/chart_colour.h>
-#include <CGAL/Simple_manifolds/IO/internal/Ply_rows.h>
+#include <CGAL/Simple_manifolds/IO/internal/Text_buffer.h>
 #include <CGAL/Simple_manifolds/IO/internal/chart_parts.h>
 #include <CGAL/Simple_manifolds/IO/internal/vertex_colours.h>
 #include <CGAL/Simple_manifolds/Mesh_properties.h>
@@ -34,16 +34,17 @@ namespace Simple_manifolds {
 namespace internal {
 
 template <class Vector>
-void write_obj_row(std::ostream& out, const char* keyword, const Vector& x)
+void write_obj_row(Text_buffer& out, const char* keyword, const Vector& x)
 {
   out << keyword;
-  for (int k = 0; k < x.size(); ++k) out << ' ' << shortest(x[k]);
+  for (int k = 0; k < x.size(); ++k) out << ' ' << x[k];
   out << '\n';
 }
 
-inline void write_obj_lines(std::ostream& out, const Charted_mesh& mesh, const std::vector<Chart_part>& parts,
-                            const std::string& materials)
+inline void write_obj_lines(std::ostream& stream, const Charted_mesh& mesh,
+                            const std::vector<Chart_part>& parts, const std::string& materials)
 {
+  Text_buffer out(stream);
   out << "# simple_manifolds " << mesh.kind << ", atlas " << mesh.atlas << "\nmtllib " << materials << '\n';
   const Mesh_property* colours = colours_of(mesh);
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -102,17 +103,18 @@ inline std::vector<std::string> write_obj(const std::string& file, const Charted
 
   Atomic_folder output(folder.empty() ? "." : folder.string());
   Atomic_file materials(output.file(name + ".mtl"));
+  internal::Text_buffer material(materials.stream());
   for (const internal::Chart_part& part : parts) {
-    materials.stream() << "newmtl " << part.name << '\n';
-    internal::write_obj_row(materials.stream(), "Kd",
-                            part.image ? Eigen::Vector3d(1, 1, 1) : chart_colour(part.chart));
+    material << "newmtl " << part.name << '\n';
+    internal::write_obj_row(material, "Kd", part.image ? Eigen::Vector3d(1, 1, 1) : chart_colour(part.chart));
     if (!part.image) continue;
     const std::string image_name = name + '_' + part.name + ".png";
-    materials.stream() << "map_Kd " << image_name << '\n';
+    material << "map_Kd " << image_name << '\n';
     Atomic_file image(output.file(image_name));
     image.stream() << *part.image;
     image.commit();
   }
+  material.flush();
   materials.commit();
   Atomic_file obj(output.file(path.filename().string()));
   internal::write_obj_lines(obj.stream(), mesh, parts, name + ".mtl");

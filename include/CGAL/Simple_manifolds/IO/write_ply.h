@@ -97,6 +97,7 @@ void write_ply(const std::string& file, const Charted_mesh& mesh,
     if (!mesh.parts.empty()) ply.value(part.triangles[f]);
     of_faces.write_values(ply, static_cast<std::size_t>(f));
   });
+  ply.flush();
   output.commit();
 }
 

@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_PLY_ROWS_H
 #define CGAL_SIMPLE_MANIFOLDS_IO_INTERNAL_PLY_ROWS_H
 
+#include <CGAL/Simple_manifolds/IO/internal/Text_buffer.h>
 #include <CGAL/Simple_manifolds/IO/internal/scalar_types.h>
 #include <CGAL/Simple_manifolds/Mesh_properties.h>
 
@@ -16,6 +17,7 @@
 #include <cstring>
 #include <ostream>
 #include <string>
+#include <string_view>
 
 namespace CGAL {
 namespace Simple_manifolds {
@@ -42,29 +44,29 @@ public:
 
   void value(double x)
   {
-    if (!is_binary_) return text(shortest(x));
+    if (!is_binary_) return text(x);
     std::uint64_t bits;
     std::memcpy(&bits, &x, sizeof bits);
     bytes(bits, 8);
   }
 
-  void value(int x) { is_binary_ ? bytes(std::uint32_t(x), 4) : text(std::to_string(x)); }
+  void value(int x) { is_binary_ ? bytes(std::uint32_t(x), 4) : text(x); }
   // A number as the type stores it, of those that PLY has.
   void value(Scalar_type t, double x)
   {
     if (t == Scalar_type::FLOAT64) return value(x);
     if (t == Scalar_type::FLOAT32) {
       const auto rounded = static_cast<float>(x);
-      if (!is_binary_) return text(shortest(rounded));
+      if (!is_binary_) return text(rounded);
       std::uint32_t bits;
       std::memcpy(&bits, &rounded, sizeof bits);
       return bytes(bits, 4);
     }
     const auto i = static_cast<std::int64_t>(x);
-    is_binary_ ? bytes(static_cast<std::uint64_t>(i), static_cast<int>(size_of(t))) : text(std::to_string(i));
+    is_binary_ ? bytes(static_cast<std::uint64_t>(i), static_cast<int>(size_of(t))) : text(i);
   }
 
-  void list_length(unsigned char n) { is_binary_ ? bytes(n, 1) : text(std::to_string(n)); }
+  void list_length(unsigned char n) { is_binary_ ? bytes(n, 1) : text(int(n)); }
 
   template <class Vector>
   void values(const Vector& x)
@@ -78,22 +80,26 @@ public:
     is_row_begin_ = true;
   }
 
+  // After the last row, before the file is committed.
+  void flush() { out_.flush(); }
+
 private:
   void bytes(std::uint64_t bits, int n)
   {
     char b[8];
     for (int k = 0; k < n; ++k) b[k] = char(bits >> (8 * k));
-    out_.write(b, n);
+    out_ << std::string_view(b, std::size_t(n));
   }
 
-  void text(const std::string& s)
+  template <class Number>
+  void text(Number x)
   {
     if (!is_row_begin_) out_ << ' ';
-    out_ << s;
+    out_ << x;
     is_row_begin_ = false;
   }
 
-  std::ostream& out_;
+  Text_buffer out_;
   bool is_binary_, is_row_begin_ = true;
 };
 
