@@ -19,9 +19,10 @@ a new canonical surface.
 An object holds the positions of all vertices of one mesh, numbered from 0 in the order of the hierarchy. Unless said
 otherwise, members are `const`, and members for different vertices may be called from several threads at once.
 
-A model may also have a type `Short_star` (`internal/engine/Star_lanes.h`) with overloads of `model()` and `moved()`: the
-stars of at most eight faces, which most are, in arrays that compilers make vectors of. A constant `has_metric` that is
-true says that `update_metric()` takes sums over faces: their order is that of the collapses then.
+A model may also have a type `Short_star` (`internal/engine/Star_lanes.h`), with overloads of `model()` and `moved()` and
+a member `prefetch(neighbour)`: the stars of at most eight faces, which most are, in arrays that compilers make vectors
+of. A constant `has_metric` that is true says that `update_metric()` takes sums over faces: their order is that of the
+collapses then.
 
 The models of the package are in `internal/geometry/`: `Sphere_geometry`, `Torus_geometry`, `Plane_geometry`.
 

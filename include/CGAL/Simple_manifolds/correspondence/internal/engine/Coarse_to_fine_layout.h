@@ -226,6 +226,7 @@ private:
               some[n].vertex = v;
               some[n++].star.gather(geometry_, stars_, v);
             }
+          for (int w = v; w < (std::min)(v + batch, last); ++w) stars_.prefetch(geometry_, w);
           relax(some.data(), n);
         }
       });

@@ -65,6 +65,12 @@ public:
   // then the apex.
   const Neighbour* neighbours(int v) const { return neighbour_.data() + offset_[v]; }
   const Sector* sectors(int v) const { return sector_.data() + offset_[v]; }
+  // Asks for the positions of the neighbours, which are anywhere in memory.
+  template <class Geometry>
+  void prefetch(const Geometry& geometry, int v) const
+  {
+    for (int i = offset_[v]; i < offset_[v + 1]; ++i) geometry.prefetch(neighbour_[i]);
+  }
   int degree(int v) const { return offset_[v + 1] - offset_[v]; }
 
   // The half-edge to the first neighbour.

@@ -11,6 +11,7 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Collapse_hierarchy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Star.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Flat_geometry.h>
+#include <CGAL/Simple_manifolds/internal/prefetch.h>
 
 #include <Eigen/Dense>
 
@@ -69,6 +70,7 @@ public:
   using Star = internal::Star<Plane_geometry>;
   using Short_star = Star_lanes<Plane_geometry, 2>;
   static Neighbour neighbour(const Corner_table& t, int h) { return t.target(h); }
+  void prefetch(Neighbour v) const { CGAL_SIMPLE_MANIFOLDS_PREFETCH(&position_[v]); }
   const Point& seen(Neighbour v) const { return position_[v]; }
 
   static void attract(Quadratic_model& m, const Point& p, const Point& target, double weight)

@@ -13,6 +13,7 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Distortion_energy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Star.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Star_lanes.h>
+#include <CGAL/Simple_manifolds/internal/prefetch.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -78,6 +79,7 @@ public:
 
   // The neighbour at the end of h, and its position as seen from the origin of h.
   static Neighbour neighbour(const Corner_table& t, int h) { return t.target(h); }
+  void prefetch(Neighbour v) const { CGAL_SIMPLE_MANIFOLDS_PREFETCH(&position_[v]); }
   const Point& seen(Neighbour v) const { return position_[v]; }
 
   static double squared_length(const Point& d) { return d.squaredNorm(); }

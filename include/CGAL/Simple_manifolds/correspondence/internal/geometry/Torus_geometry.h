@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Star.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Flat_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/torus_cocycles.h>
+#include <CGAL/Simple_manifolds/internal/prefetch.h>
 
 #include <Eigen/Dense>
 
@@ -50,6 +51,7 @@ public:
 
   const Deck& deck(int h) const { return deck_[h]; }
   Neighbour neighbour(const Corner_table& t, int h) const { return {t.target(h), deck_[h]}; }
+  void prefetch(const Neighbour& n) const { CGAL_SIMPLE_MANIFOLDS_PREFETCH(&position_[n.vertex]); }
   Point seen(const Neighbour& n) const
   {
     const Point& p = position_[n.vertex];
