@@ -1,6 +1,6 @@
-# Configures, builds and runs the project of consumer/ in the new folder WORK, against this package
-#   WAY=installed     installed from the build folder BUILD into WORK/prefix
-#   WAY=subdirectory  taken in with add_subdirectory(SOURCE)
+# Configures, builds and runs projects of users in the new folder WORK, against this package
+#   WAY=installed     installed from the build folder BUILD into WORK/prefix: consumer/, and template/ of SOURCE
+#   WAY=subdirectory  taken in with add_subdirectory(SOURCE): consumer/
 
 cmake_minimum_required(VERSION 3.22)
 
@@ -20,7 +20,16 @@ else()
   set(where -DSIMPLE_MANIFOLDS_SOURCE_DIR=${SOURCE})
 endif()
 
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/build -G ${GENERATOR}
-  -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${COMPILER} -DCGAL_DIR=${CGAL_DIR} ${where})
-run(${CMAKE_COMMAND} --build ${WORK}/build --config Release)
-run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/build -C Release --output-on-failure)
+function(run_project folder)
+  get_filename_component(name ${folder} NAME)
+  set(build ${WORK}/${name}_build)
+  run(${CMAKE_COMMAND} -S ${folder} -B ${build} -G ${GENERATOR}
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${COMPILER} -DCGAL_DIR=${CGAL_DIR} ${where})
+  run(${CMAKE_COMMAND} --build ${build} --config Release)
+  run(${CMAKE_CTEST_COMMAND} --test-dir ${build} -C Release --output-on-failure)
+endfunction()
+
+run_project(${CMAKE_CURRENT_LIST_DIR}/consumer)
+if(WAY STREQUAL "installed")
+  run_project(${SOURCE}/template)
+endif()
