@@ -145,6 +145,18 @@ private:
   std::vector<int> degree_;   // per vertex
 };
 
+// The half-edge from v to w. The search round both ends takes as long as round the one of less valence: for
+// all edges together this is linear, also at hubs.
+inline int half_edge_between(const Corner_table& t, int v, int w)
+{
+  int from_v = t.outgoing(v), from_w = t.outgoing(w);
+  while (t.target(from_v) != w && t.target(from_w) != v) {
+    from_v = t.rotate(from_v);
+    from_w = t.rotate(from_w);
+  }
+  return t.target(from_v) == w ? from_v : t.opposite(from_w);
+}
+
 } // namespace internal
 } // namespace Simple_manifolds
 } // namespace CGAL

@@ -8,6 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_HYPERBOLIC_GEOMETRY_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_GEOMETRY_HYPERBOLIC_GEOMETRY_H
 
+#include <CGAL/Simple_manifolds/Triangle.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/engine/Coarse_to_fine_layout.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Collapse_hierarchy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Distortion_energy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Deck_table.h>
@@ -24,7 +26,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -47,12 +50,13 @@ public:
   const double total_area;
   const int minimum_vertices;
 
-  Hyperbolic_geometry(int number_of_vertices, int number_of_faces, int genus,
+  // attempt: each one looks for other homotopy classes
+  Hyperbolic_geometry(int number_of_vertices, int number_of_faces, int genus, int attempt,
                       const Visitor_reference& visitor)
     : total_area(4 * 3.14159265358979323846 * (genus - 1)),
-      minimum_vertices((std::max)(60, 20 * (genus - 1))), visitor_(visitor), copies_(genus - 1),
-      position_(number_of_vertices, Point(0, 0, 1)), tile_(number_of_vertices),
-      deck_(3 * static_cast<std::size_t>(number_of_faces), 0)
+      minimum_vertices((std::max)(60, vertices_per_handle * (genus - 1))), visitor_(visitor),
+      attempt_(attempt), copies_(genus - 1), position_(number_of_vertices, Point(0, 0, 1)),
+      tile_(number_of_vertices), deck_(3 * static_cast<std::size_t>(number_of_faces), 0)
   {
   }
 
@@ -68,18 +72,38 @@ public:
 
   bool lay_out_base(const Collapse_hierarchy& mesh)
   {
-    const std::optional<Harmonic_map> map = Marked_base(mesh, copies_ + 1, visitor_).find();
-    if (!map) return false;
-    for (int v = 0; v < mesh.number_of_active_vertices(); ++v) {
-      position_[v] = map->position(v);
-      tile_[v] = map->tile(v);
+    if (marking_) return take(*marking_, mesh);
+    Marked_base base(mesh, copies_ + 1, attempt_, visitor_);
+    if (!base.is_possible()) return false;
+    Marked_base::Marking best = base.match_handles();
+    const auto use = [&](Marked_base::Marking m) {
+      if (m.distortion < clear_gain * best.distortion) best = std::move(m);
+    };
+    if (minimum_vertices < vertices_per_handle * copies_) { // a base of a base
+      use(base.match_chains());
+    } else {
+      // Harmonic maps leave parts that only hang on a handle no room; smaller bases have no such parts.
+      std::size_t work = 0;
+      const auto go_on = [&] {
+        return best.distortion > good_distortion && base.work() + work < most_work();
+      };
+      if (go_on() && best.distortion < (std::numeric_limits<double>::max)()) {
+        Hyperbolic_geometry same(*this, mesh, mesh.number_of_active_vertices());
+        same.marking_ = &best.map;
+        Marked_base::Marking relaxed = base_of_base(mesh, base, same);
+        if (relaxed.distortion < best.distortion) best = std::move(relaxed);
+      }
+      for (const int n : {10, 6, 4}) {
+        if (!go_on()) break;
+        Hyperbolic_geometry smaller(*this, mesh, n * copies_);
+        use(base_of_base(mesh, base, smaller));
+        work += smaller.work_;
+      }
+      if (go_on()) use(base.match_chains());
     }
-    for (int h = 0; h < 3 * mesh.number_of_active_faces(); ++h) {
-      for (const auto& x : map->deck(h).entries())
-        if (x > largest_entry || x < -largest_entry) return false;
-      deck_[h] = table_.number(map->deck(h).cast<std::int64_t>());
-    }
-    return true;
+    work_ = base.work();
+    if (best.distortion == (std::numeric_limits<double>::max)()) return false;
+    return take(best.map, mesh);
   }
 
   // Vertices stay in the frames of tiles that they have left by a little.
@@ -155,6 +179,81 @@ public:
 
 private:
   static constexpr std::int64_t largest_entry = std::int64_t(1) << 40;
+  static constexpr int vertices_per_handle = 20; // of a base
+  static constexpr double good_distortion = 6;   // of a base: no more is tried
+
+  static constexpr double clear_gain = 0.8; // the end of finer levels is only guessed from the base
+  // After so many moves of vertices no other marking is tried: about a minute.
+  std::size_t most_work() const { return attempt_ == 0 ? 60000000 : 15000000; }
+
+  // For the base of a base.
+  Hyperbolic_geometry(const Hyperbolic_geometry& g, const Collapse_hierarchy& base, int vertices)
+    : total_area(g.total_area), minimum_vertices(vertices), visitor_(g.visitor_), attempt_(g.attempt_),
+      copies_(g.copies_), position_(base.number_of_active_vertices(), Point(0, 0, 1)),
+      tile_(base.number_of_active_vertices()),
+      deck_(3 * static_cast<std::size_t>(base.number_of_active_faces()), 0)
+  {
+  }
+
+  // map: of the mesh, or of one with the same numbers of vertices
+  bool take(const Harmonic_map& map, const Collapse_hierarchy& mesh)
+  {
+    const Corner_table& t = mesh.table();
+    for (int v = 0; v < mesh.number_of_active_vertices(); ++v) {
+      position_[v] = map.position(v);
+      tile_[v] = map.tile(v);
+    }
+    for (int h = 0; h < 3 * mesh.number_of_active_faces(); ++h) {
+      const Long_isometry& deck = map.deck(half_edge_between(map.table(), t.origin(h), t.target(h)));
+      for (const auto& x : deck.entries())
+        if (x > largest_entry || x < -largest_entry) return false;
+      deck_[h] = table_.number(deck.cast<std::int64_t>());
+    }
+    return true;
+  }
+
+  // The base laid out from coarse to fine, too.
+  Marked_base::Marking base_of_base(const Collapse_hierarchy& mesh, const Marked_base& base,
+                                    Hyperbolic_geometry& geometry) const
+  {
+    const int n = mesh.number_of_active_vertices(), m = mesh.number_of_active_faces();
+    const Base_metric metric(mesh, total_area);
+    std::vector<Eigen::Vector3d> points;
+    for (int v = 0; v < n; ++v) points.push_back(mesh.point(v));
+    std::vector<Triangle> faces;
+    for (int f = 0; f < m; ++f) {
+      const auto t = mesh.table().face(f);
+      faces.push_back({t[0], t[1], t[2]});
+    }
+    Collapse_hierarchy coarse(points, faces, std::vector<float>(metric.area.begin(), metric.area.end()), -1);
+    coarse.decimate(
+      false, geometry.minimum_vertices, [](int) { return true; },
+      [](int, const std::vector<int>&, int) { return true; }, [](int) { return 1.f; }, [](double) {});
+    Map_options options;
+    options.effort = Effort::QUALITY;
+    const std::vector<Indexed_landmark<Point>> no_landmarks;
+    Marked_base::Marking result{(std::numeric_limits<double>::max)(),
+                                Harmonic_map(mesh.table(), n, m, copies_, metric.weight)};
+    const bool done =
+      Coarse_to_fine_layout<Hyperbolic_geometry>(coarse, geometry, options, 1e-4, no_landmarks, false)
+        .run([](double) {});
+    if (!done) return result;
+    std::vector<Tile> tile;
+    std::vector<Point> position;
+    for (int v = 0; v < n; ++v) {
+      tile.push_back(geometry.tile(coarse.number_of(v)));
+      position.push_back(geometry.position(coarse.number_of(v)));
+    }
+    std::vector<Long_isometry> deck;
+    for (int h = 0; h < 3 * m; ++h) {
+      const int other = half_edge_between(coarse.table(), coarse.number_of(mesh.table().origin(h)),
+                                          coarse.number_of(mesh.table().target(h)));
+      deck.push_back(geometry.deck(other).cast<boost::multiprecision::cpp_int>());
+    }
+    result.map.set_decks(std::move(deck), std::move(tile), std::move(position));
+    result.distortion = base.distortion(result.map);
+    return result;
+  }
 
   static Frame tangent_frame(const Point& p)
   {
@@ -181,7 +280,9 @@ private:
   }
 
   const Visitor_reference& visitor_;
-  int copies_;
+  int attempt_, copies_;
+  const Harmonic_map* marking_ = nullptr; // that is to be relaxed; no other one is looked for
+  std::size_t work_ = 0;                  // of the marking, in moves of vertices
   Deck_table table_;
   std::vector<Point> position_;
   std::vector<Tile> tile_;

@@ -45,8 +45,8 @@ public:
         }
       }
     table_.emplace(vertices_, faces);
-    // Twice the distances of the centre of a face from its sides; a little less in three tiles, so that the shortest pair of
-    // curves lies there in every copy.
+    // Twice the distances of the centre of a face from its sides; a little less in three tiles, so that the shortest curves
+    // lie there in every copy.
     const auto factor = [](int h) { return h / 24 % Square_tiling::ring_size >= 3 ? 0.45 : 0.5; };
     for (int h = 0; h < static_cast<int>(deck_.size()); ++h)
       across_.push_back((factor(h) + factor(table_->opposite(h))) * (h % 3 == 1                 ? 0.5165
@@ -55,8 +55,14 @@ public:
   }
 
   int number_of_faces() const { return 8 * tiles_; }
-  // Surface and lengths for Handle_chain.
-  Cut_surface surface() const { return Cut_surface(*table_, vertices_, 8 * tiles_, across_); }
+  // The surface for Chain_search. length: per half-edge, of the way from face to face
+  Cut_surface surface(const std::vector<double>& length) const
+  {
+    return Cut_surface(*table_, vertices_, 8 * tiles_, length);
+  }
+  // These lengths, as they are.
+  const std::vector<double>& across() const { return across_; }
+  const Corner_table& table() const { return *table_; }
 
   // The tile of a face, in the frame of which it has its first corner.
   Tile tile(int face) const

@@ -41,8 +41,9 @@ public:
   // The shortest paths from some cells.
   struct Paths {
     std::vector<double> distance;
-    std::vector<int> way; // into a cell, -1 at the start
-    int end = -1;         // the cell at which the search has ended
+    std::vector<int> way;   // into a cell, -1 at the start
+    std::vector<int> order; // the cells that were reached, the nearest first
+    int end = -1;           // the cell at which the search has ended
 
     Path path(const Cut_surface& s, int cell) const
     {
@@ -59,10 +60,15 @@ public:
     for (int h = 0; h < 3 * faces; ++h)
       half_edge_.push_back(
         {Corner_table::next(h), Corner_table::previous(h), table.opposite(h), h / 3, table.origin(h), h, 0});
-    for (int f = 0; f < faces; ++f) face_.push_back(f);
+    for (int f = 0; f < faces; ++f) {
+      face_.push_back(f);
+      first_.push_back(3 * f);
+    }
   }
 
   const Half_edge& operator[](int h) const { return half_edge_[h]; }
+  // A half-edge of a cell.
+  int first(int cell) const { return first_[cell]; }
   // The face that a cell is a part of.
   int face(int cell) const { return face_[cell]; }
   int number_of_half_edges() const { return static_cast<int>(half_edge_.size()); }
@@ -74,29 +80,31 @@ public:
   int rotate(int h) const { return half_edge_[half_edge_[h].previous].opposite; }
   int target(int h) const { return half_edge_[half_edge_[h].next].origin; }
 
-  // Paths do not cross curves. They end at the first cell of which this is true, or at a distance.
+  // Paths do not cross curves. They end at the first cell of which this is true, or at a distance. lead: of the first cell
+  // before the others.
   template <class IsEnd>
   Paths paths(const std::vector<int>& from, const IsEnd& is_end,
-              double bound = (std::numeric_limits<double>::max)()) const
+              double bound = (std::numeric_limits<double>::max)(), double lead = 0) const
   {
-    Paths p{std::vector<double>(cells_, (std::numeric_limits<double>::max)()), std::vector<int>(cells_, -1)};
-    const std::vector<int> first = first_half_edges();
+    Paths p{
+      std::vector<double>(cells_, (std::numeric_limits<double>::max)()), std::vector<int>(cells_, -1), {}};
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     for (const int c : from) {
-      p.distance[c] = 0;
-      queue.push({0, c});
+      p.distance[c] = c == from[0] ? -lead : 0;
+      queue.push({p.distance[c], c});
     }
     while (!queue.empty()) {
       const auto [d, c] = queue.top();
       queue.pop();
       if (d > p.distance[c]) continue;
       if (d > bound) break;
+      p.order.push_back(c);
       if (is_end(c)) {
         p.end = c;
         break;
       }
-      int h = first[c];
+      int h = first_[c];
       do {
         const int o = half_edge_[h].opposite, to = half_edge_[o].cell;
         if (half_edge_[h].edge != -1 && d + across(h) < p.distance[to]) {
@@ -105,7 +113,7 @@ public:
           queue.push({p.distance[to], to});
         }
         h = half_edge_[h].next;
-      } while (h != first[c]);
+      } while (h != first_[c]);
     }
     return p;
   }
@@ -154,13 +162,6 @@ public:
   }
 
 private:
-  std::vector<int> first_half_edges() const
-  {
-    std::vector<int> first(cells_);
-    for (int h = number_of_half_edges(); h-- > 0;) first[half_edge_[h].cell] = h;
-    return first;
-  }
-
   // A part of the last curve from the origin of u to that of v; the new cell is on its right.
   void split_cell(int u, int v)
   {
@@ -174,13 +175,15 @@ private:
     half_edge_[u].previous = o;
     for (int h = u; h != o; h = half_edge_[h].next) half_edge_[h].cell = cells_;
     face_.push_back(face_[half_edge_[v].cell]);
+    first_[half_edge_[v].cell] = k;
+    first_.push_back(o);
     ++cells_;
   }
 
   const std::vector<double>* across_;
   int vertices_, cells_, curves_ = 0;
   std::vector<Half_edge> half_edge_;
-  std::vector<int> face_; // per cell
+  std::vector<int> face_, first_; // per cell
 };
 
 } // namespace internal

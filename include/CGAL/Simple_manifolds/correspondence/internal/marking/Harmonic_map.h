@@ -16,6 +16,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -62,6 +63,11 @@ public:
   const Point& position(int v) const { return state_.position[v]; }
   const Tile& tile(int v) const { return state_.tile[v]; }
   double weight(int h) const { return weight_[h]; }
+  void set_weights(std::vector<double> weight)
+  {
+    weight_ = std::move(weight);
+    update_energy();
+  }
   // The number of moves of vertices so far, and of what else takes as long: what the map has cost.
   std::size_t work() const { return work_; }
   void add_work(std::size_t n) { work_ += n; }
@@ -119,6 +125,22 @@ public:
       bad += !(p.dot((a - p).cross(b - p)) > 0);
     }
     return bad;
+  }
+
+  // The face of a half-edge flattened, from the tangent plane at its centroid: its area, and the squares of its edges, from
+  // that of the half-edge on.
+  struct Flat_face {
+    double area;
+    std::array<double, 3> squared_edge;
+  };
+  Flat_face flat_face(int h) const
+  {
+    const Point &p = position(table_->origin(h)), a = seen(h), b = seen(table_->rotate(h));
+    const double pa = -hyperboloid::product(p, a), pb = -hyperboloid::product(p, b),
+                 ab = -hyperboloid::product(a, b), q = 3 + 2 * (pa + pb + ab);
+    const auto squared = [q](double c, double d, double e) { return 2 * c - 2 + (d - e) * (d - e) / q; };
+    return {1.5 * p.dot((a - p).cross(b - p)) / std::sqrt(q),
+            {{squared(pa, pb, ab), squared(ab, pa, pb), squared(pb, pa, ab)}}};
   }
 
   double longest_edge() const // its cosh

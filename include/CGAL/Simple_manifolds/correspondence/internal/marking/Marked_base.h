@@ -9,21 +9,21 @@
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MARKING_MARKED_BASE_H
 
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Collapse_hierarchy.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/marking/Base_metric.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/Canonical_mesh.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/marking/Curve_chain.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/Handle_chain.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/Harmonic_map.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/Marking_search.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/marking/Matched_chains.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/Matched_handles.h>
 #include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -31,146 +31,233 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-// The base of a hierarchy, mapped to the canonical surface of genus g >= 2: a harmonic map in a homotopy class of small
-// energy. The handles of the base are matched with those of the canonical surface, one after the other in several orders;
-// then Dehn twists are tried.
+// The base of a hierarchy, mapped to the canonical surface of genus g >= 2, in a homotopy class of little distortion.
+//
+// Handles of the base are matched with those of the canonical surface, one after the other in several orders; then Dehn twists
+// are tried. The energy that they lower is that of harmonic maps, which says little about the distortion. Where that is large
+// in the end, or there is no map, chains of curves can be matched instead; the best ones are told by their distortion.
 class Marked_base {
 public:
-  Marked_base(const Collapse_hierarchy& mesh, int genus, const Visitor_reference& visitor)
-    : mesh_(mesh), genus_(genus), visitor_(visitor)
-  {
-  }
-
-  // Nothing if no class was found whose map is positive, which only rounding can cause.
-  std::optional<Harmonic_map> find() const
-  {
-    std::optional<Harmonic_map> map = start();
-    if (!map) return std::nullopt;
-    map->relax(20000, 1e-12);
-    if (map->number_of_bad_faces() > 0) return std::nullopt;
-    return map;
-  }
-
-private:
-  static constexpr std::size_t search_work = 8000000; // moves of vertices
-
-  static constexpr std::size_t relaxed_starts = 40, searched_starts = 2;
-  static constexpr int trials_per_handle = 1500;
-
-  struct Weights {
-    std::vector<double> edge;   // of the energy
-    std::vector<double> across; // from face to face
+  // A map, and its distortion: the largest double if some face is not positive.
+  struct Marking {
+    double distortion = (std::numeric_limits<double>::max)();
+    Harmonic_map map;
   };
 
-  static Weights weights(const Collapse_hierarchy& mesh)
+  // attempt: others draw other random numbers
+  Marked_base(const Collapse_hierarchy& mesh, int genus, int attempt, const Visitor_reference& visitor)
+    : mesh_(mesh), genus_(genus), visitor_(visitor),
+      random_(2463534242u + 1000003u * static_cast<std::uint32_t>(attempt)),
+      metric_(mesh, 4 * pi * (genus - 1)), map_(mesh.table(), mesh.number_of_active_vertices(),
+                                                mesh.number_of_active_faces(), genus - 1, metric_.weight)
   {
-    const Corner_table& t = mesh.table();
-    const int n = 3 * mesh.number_of_active_faces();
-    Weights w;
-    std::vector<double> cot(n);
-    for (int h = 0; h < n; ++h) {
-      const Eigen::Vector3d &a = mesh.point(t.origin(h)), &b = mesh.point(t.target(h)),
-                            &c = mesh.point(t.origin(Corner_table::previous(h)));
-      const double area = (a - c).cross(b - c).norm();
-      cot[h] = area > 0 ? (a - c).dot(b - c) / area : 0;
-    }
-    const auto centre = [&](int f) -> Eigen::Vector3d {
-      const auto v = t.face(f);
-      return (mesh.point(v[0]) + mesh.point(v[1]) + mesh.point(v[2])) / 3;
-    };
-    for (int h = 0; h < n; ++h) {
-      const int o = t.opposite(h);
-      w.edge.push_back((std::min)((std::max)((cot[h] + cot[o]) / 2, 0.15), 3.));
-      w.across.push_back((centre(h / 3) - centre(o / 3)).norm() + 1e-6);
-    }
-    return w;
   }
 
-  std::optional<Harmonic_map> start() const
+  // Whether a search ends in a time that one can wait for, and the mesh has that genus.
+  bool is_possible() const
   {
-    const int n = mesh_.number_of_active_vertices(), faces = mesh_.number_of_active_faces();
-    if (genus_ > largest_genus || 2 * (2 - 2 * genus_) != 2 * n - faces) return std::nullopt;
-    const Weights w = weights(mesh_);
-    Harmonic_map map(mesh_.table(), n, faces, genus_ - 1, w.edge);
-    std::vector<Harmonic_map::State> starts = matched(map, w.across);
-    for (Harmonic_map::State& s : starts) {
-      visitor_.progress(0);
-      map.set_state(s);
-      map.relax(400, 1e-3);
-      s = map.state();
-    }
-    keep_best(starts, searched_starts);
-    for (Harmonic_map::State& s : starts) {
-      map.set_state(s);
-      Marking_search(map, w.across, search_work, visitor_).run(trials_per_handle * genus_);
-      s = map.state();
-    }
+    return genus_ <= largest_genus &&
+           2 * (2 - 2 * genus_) == 2 * mesh_.number_of_active_vertices() - mesh_.number_of_active_faces();
+  }
+
+  // The harmonic map; its distortion is that once its faces have been given more equal room.
+  Marking match_handles()
+  {
+    std::vector<Start> starts = relaxed(matched_handles(), searched_starts);
+    for (Start& s : starts) s = searched(s);
     keep_best(starts, 1);
-    if (starts.empty()) return std::nullopt;
-    map.set_state(starts[0]);
-    return map;
+    Marking m{none, map_};
+    if (starts.empty()) return m;
+    map_.set_state(starts[0].state);
+    map_.relax(20000, 1e-12);
+    m.map = map_;
+    if (m.map.number_of_bad_faces() == 0) m.distortion = spread_out(map_, metric_, spread_rounds);
+    return m;
   }
 
-  // Classes that match handles with handles. Which handles are short, and near to which, depends on lengths: they are
-  // changed at random, too.
-  std::vector<Harmonic_map::State> matched(Harmonic_map& map, const std::vector<double>& across) const
+  Marking match_chains()
   {
-    const int n = map.number_of_vertices(), faces = map.number_of_half_edges() / 3;
+    std::vector<Start> starts = relaxed(matched_chains(), spread_starts), found;
+    for (Start& s : starts) s.cost = spread(s.state).cost;
+    keep_best(starts, searched_starts);
+    for (Start& s : starts) {
+      found.push_back(spread(s.state));
+      found.push_back(spread(searched(s).state));
+    }
+    keep_best(found, 1);
+    Marking m{none, map_};
+    if (found.empty()) return m;
+    m.map.set_state(found[0].state);
+    m.distortion = found[0].cost;
+    return m;
+  }
+
+  // What has been done so far, in moves of vertices.
+  std::size_t work() const { return map_.work(); }
+  // The distortion of any map of this base.
+  double distortion(const Harmonic_map& map) const { return symmetric_distortion(map, metric_); }
+
+private:
+  static constexpr double pi = 3.14159265358979323846;
+  static constexpr double none =
+    (std::numeric_limits<double>::max)();   // of the distortion: faces are not positive
+  static constexpr int largest_genus = 200; // of a search that ends in a time that one can wait for
+  static constexpr std::size_t search_work = 8000000, chain_work = 10000000; // moves of vertices
+  static constexpr std::size_t relaxed_starts = 40, spread_starts = 12, searched_starts = 2;
+  static constexpr int trials_per_handle = 1500, spread_rounds = 20;
+  static_assert(largest_genus <= Crossing_classes::largest_genus);
+
+  // A map, and what it is judged by: its energy or its distortion.
+  struct Start {
+    double cost;
+    Harmonic_map::State state;
+  };
+
+  // The lengths in the first of some variants; in the others they are changed by as much as a share, at random.
+  std::vector<double> varied(std::vector<double> length, const Corner_table& table, bool is_first,
+                             double share)
+  {
+    for (int h = 0; !is_first && h < static_cast<int>(length.size()); ++h) {
+      random_ ^= random_ << 13; // xorshift (Marsaglia 2003)
+      random_ ^= random_ >> 17;
+      random_ ^= random_ << 5;
+      const int o = table.opposite(h);
+      if (h < o) length[h] = length[o] = length[h] * (1 - share + 2 * share * (random_ % 1024) / 1024.);
+    }
+    return length;
+  }
+
+  // Classes that match handles with handles. Which handles are short, and near to which, depends on lengths.
+  std::vector<Start> matched_handles()
+  {
+    const int n = map_.number_of_vertices(), faces = map_.number_of_half_edges() / 3;
     const Canonical_mesh canonical(genus_);
-    const Handle_chain canonical_chain(canonical.surface(), genus_);
+    const Handle_chain to(canonical.surface(canonical.across()), genus_);
     // its last handle is the one that goes round all copies of the ring
-    const std::vector<int> canonical_order = canonical_chain.short_order(genus_ - 1);
+    const std::vector<int> canonical_order = to.short_order(genus_ - 1);
     std::vector<Handle_chain::Cut> canonical_cut;
-    for (int turn = 1; turn <= 3; ++turn) canonical_cut.push_back(canonical_chain.cut(canonical_order, turn));
-    std::vector<Harmonic_map::State> starts;
-    std::uint32_t random = 2463534242u; // xorshift (Marsaglia 2003)
+    for (int turn = 1; turn <= 3; ++turn) canonical_cut.push_back(to.cut(canonical_order, turn));
+    std::vector<Start> starts;
     for (int i = 0, variants = std::clamp(100 / genus_, 1, 8); i < variants; ++i) {
-      std::vector<double> length = across;
-      for (int h = 0; i > 0 && h < 3 * faces; ++h) {
-        random ^= random << 13;
-        random ^= random >> 17;
-        random ^= random << 5;
-        const int o = map.table().opposite(h);
-        if (h < o) length[h] = length[o] = length[h] * (0.7 + 0.6 * (random % 1024) / 1024.);
-      }
-      const Handle_chain chain(Cut_surface(map.table(), n, faces, length), genus_);
+      const std::vector<double> length = varied(metric_.across, map_.table(), i == 0, 0.3);
+      const Handle_chain from(Cut_surface(map_.table(), n, faces, length), genus_);
       for (int last = 0; last < genus_; last += 1 + genus_ / 30) {
-        std::vector<int> order = chain.short_order(last);
-        for (int direction = 0; direction < 2; ++direction) {
+        std::vector<int> order = from.short_order(last);
+        for (int direction = 0; direction < 2; ++direction, std::reverse(order.begin(), order.end() - 1))
           for (int turn = 1; turn <= 3; ++turn) {
             visitor_.progress(0);
-            Matched_handles(chain.cut(order, turn), map.table(), n, faces)
-              .set(map, canonical, canonical_cut[turn - 1]);
-            if (std::isfinite(map.energy())) starts.push_back(map.state());
-            if (starts.size() >= 2 * relaxed_starts) keep_best(starts, relaxed_starts);
+            Matched_handles(from.cut(order, turn), map_.table(), n, faces)
+              .set(map_, canonical, canonical_cut[turn - 1]);
+            add(starts);
           }
-          std::reverse(order.begin(), order.end() - 1);
-        }
       }
     }
-    keep_best(starts, relaxed_starts);
     return starts;
   }
 
-  static void keep_best(std::vector<Harmonic_map::State>& states, std::size_t n)
+  // Classes that match chains with chains, either end with either end.
+  std::vector<Start> matched_chains()
   {
-    std::stable_sort(
-      states.begin(), states.end(),
-      [](const Harmonic_map::State& a, const Harmonic_map::State& b) { return a.energy < b.energy; });
-    states.erase(std::unique(states.begin(), states.end(),
-                             [](const Harmonic_map::State& a, const Harmonic_map::State& b) {
-                               return std::abs(a.energy - b.energy) <=
-                                      1e-6 * b.energy; // most likely the same
-                             }),
-                 states.end());
-    if (states.size() > n) states.resize(n);
+    const int n = map_.number_of_vertices(), faces = map_.number_of_half_edges() / 3;
+    std::vector<Canonical_chain> to = canonical_chains();
+    std::vector<Start> starts;
+    const std::size_t last_work = map_.work() + chain_work;
+    for (int i = 0, variants = std::clamp(200 / genus_, 4, 32); i < variants && map_.work() < last_work;
+         ++i) {
+      const std::vector<double> length = varied(metric_.across, map_.table(), i < 2, 0.3);
+      // The search is narrow or wide: the chains with the shortest curves are not always the best ones.
+      const std::size_t width = i % 2 == 1 ? 1 : static_cast<std::size_t>(std::clamp(100 / genus_, 1, 8));
+      visitor_.progress(0);
+      map_.add_work(width * static_cast<std::size_t>(10 * genus_) * static_cast<std::size_t>(faces));
+      for (Curve_chain& c :
+           Chain_search(Cut_surface(map_.table(), n, faces, length), genus_).find(width, 1)) {
+        const Matched_chains from(std::move(c), map_.table(), n, faces);
+        for (Canonical_chain& t : to)
+          for (int end = 0; end < 2; ++end, t.chain.reverse())
+            for (int turn = 0; turn < 2; ++turn, t.chain.turn_round()) {
+              visitor_.progress(0);
+              from.set(map_, t);
+              map_.relax(20, 1e-3);
+              add(starts);
+            }
+      }
+    }
+    return starts;
   }
 
-  static constexpr int largest_genus = 200; // of a search that ends in a time that one can wait for
+  // Chains of the canonical surface: round the ring of its copies, or, longer edges far from one of them, along both sides
+  // of the ring at once.
+  std::vector<Canonical_chain> canonical_chains()
+  {
+    const Canonical_mesh mesh(genus_);
+    std::vector<Canonical_chain> chains;
+    for (int i = 0, variants = std::clamp(64 / genus_, 2, 8); i < variants; ++i) {
+      visitor_.progress(0);
+      std::vector<double> length = varied(mesh.across(), mesh.table(), i < 2, 0.15);
+      for (int h = 0; i % 2 == 1 && h < static_cast<int>(length.size()); ++h) {
+        const int copies = mesh.tile(h / 3).copy + mesh.tile(mesh.table().opposite(h) / 3).copy;
+        length[h] *= 3 - 2 * std::cos(pi * copies / (genus_ - 1));
+      }
+      const std::size_t width = static_cast<std::size_t>(std::clamp(100 / genus_, 1, 4));
+      for (Curve_chain& c : Chain_search(mesh.surface(length), genus_).find(width, 1))
+        chains.emplace_back(mesh, std::move(c));
+    }
+    return chains;
+  }
+
+  std::vector<Start> relaxed(std::vector<Start> starts, std::size_t most)
+  {
+    keep_best(starts, relaxed_starts);
+    for (Start& s : starts) {
+      visitor_.progress(0);
+      map_.set_state(s.state);
+      map_.relax(400, 1e-3);
+      s = {map_.energy(), map_.state()};
+    }
+    keep_best(starts, most);
+    return starts;
+  }
+
+  Start searched(const Start& start)
+  {
+    map_.set_state(start.state);
+    Marking_search(map_, metric_.across, search_work, visitor_).run(trials_per_handle * genus_);
+    return {map_.energy(), map_.state()};
+  }
+
+  // With its distortion.
+  Start spread(const Harmonic_map::State& state)
+  {
+    visitor_.progress(0);
+    map_.set_state(state);
+    const double distortion = spread_out(map_, metric_, spread_rounds);
+    return {distortion, map_.state()};
+  }
+
+  void add(std::vector<Start>& starts) const
+  {
+    if (std::isfinite(map_.energy())) starts.push_back({map_.energy(), map_.state()});
+    if (starts.size() >= 2 * relaxed_starts) keep_best(starts, relaxed_starts);
+  }
+
+  static void keep_best(std::vector<Start>& starts, std::size_t n)
+  {
+    std::stable_sort(starts.begin(), starts.end(),
+                     [](const Start& a, const Start& b) { return a.cost < b.cost; });
+    starts.erase(std::unique(starts.begin(), starts.end(),
+                             [](const Start& a, const Start& b) { // most likely the same
+                               return std::abs(a.cost - b.cost) <= 1e-6 * b.cost;
+                             }),
+                 starts.end());
+    if (starts.size() > n) starts.erase(starts.begin() + static_cast<std::ptrdiff_t>(n), starts.end());
+  }
 
   const Collapse_hierarchy& mesh_;
   int genus_;
   const Visitor_reference& visitor_;
+  std::uint32_t random_;
+  Base_metric metric_;
+  Harmonic_map map_;
 };
 
 } // namespace internal

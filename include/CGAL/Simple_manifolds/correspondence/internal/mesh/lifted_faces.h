@@ -35,18 +35,6 @@ inline bool is_long_edge(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   return !((b - a).cwiseAbs().maxCoeff() < 0.5);
 }
 
-// The half-edge from v to w. The search round both ends takes as long as round the one of less valence: for
-// all edges together this is linear, also at hubs.
-inline int half_edge_between(const Corner_table& t, int v, int w)
-{
-  int from_v = t.outgoing(v), from_w = t.outgoing(w);
-  while (t.target(from_v) != w && t.target(from_w) != v) {
-    from_v = t.rotate(from_v);
-    from_w = t.rotate(from_w);
-  }
-  return t.target(from_v) == w ? from_v : t.opposite(from_w);
-}
-
 // Whether a torus of m faces has a long edge. geometry: has position() and lifted_target().
 template <class Geometry>
 bool has_long_edge(const Corner_table& table, const Geometry& geometry, int m)

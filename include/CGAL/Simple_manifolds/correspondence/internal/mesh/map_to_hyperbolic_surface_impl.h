@@ -50,8 +50,10 @@ Manifold_map<Hyperbolic_atlas> map_to_hyperbolic_surface(const Mesh_arrays& a, c
   const int n = static_cast<int>(a.points.size()), m = static_cast<int>(a.triangles.size());
   const Hyperbolic_atlas atlas(static_cast<int>(genus));
   const Layout_problem<Eigen::Vector3d> problem{a.points, a.triangles, -1, a.vertex_weight};
+  int attempt = 0;
   return certified_map<Hyperbolic_atlas>(
-    problem, request, [&](const std::vector<int>&) { return Geometry(n, m, atlas.genus(), request.visitor); },
+    problem, request,
+    [&](const std::vector<int>&) { return Geometry(n, m, atlas.genus(), attempt++, request.visitor); },
     [&](const Collapse_hierarchy& mesh, Geometry& geometry, const auto& number) {
       geometry.finish(mesh);
       Hyperbolic_placement placed{std::vector<Eigen::Vector3d>(n), {}};
