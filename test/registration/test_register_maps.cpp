@@ -125,6 +125,30 @@ TEST_CASE("landmarks are met bit for bit, and lower the energy that passes of po
   CHECK(fixed.target().domain_points() == target.domain_points());
 }
 
+TEST_CASE("what is registered already stays: no result is worse than the given maps")
+{
+  const Blob a = blobs::blob(blobs::four_bumps(), 3), b = blobs::blob(other_bumps(), 3, blobs::some_turn());
+  const Map map = map_of(a);
+  const Pairs same = {{0, 0}, {9, 9}, {70, 70}};
+  for (const Pairs& pairs : {Pairs(), same}) {
+    Registration_report report;
+    const auto c = register_maps(
+      map, map, parameters::landmark_pairs(pairs).effort(Effort::FAST).registration_report(std::ref(report)));
+    CHECK(report.kept == Kept_registration::GIVEN_MAPS);
+    CHECK(std::equal(c.source().domain_points().begin(), c.source().domain_points().end(),
+                     map.domain_points().begin()));
+    CHECK(distortion(c, 5000).max < 1 + 1e-6);
+  }
+  const auto np = parameters::effort(Effort::FAST);
+  const auto first = register_maps(map, map_of(b), np);
+  const auto second = register_maps(first.source(), first.target(), np);
+  const Correspondence_distortion d = distortion(first), e = distortion(second);
+  CHECK(e.mean <= d.mean);
+  CHECK(e.mean_on_target <= d.mean_on_target);
+  CHECK(e.median <= d.median);
+  CHECK(e.p95 <= d.p95);
+}
+
 TEST_CASE("landmarks that cannot be met are an error, never nearly met")
 {
   const Blob a = blobs::blob(blobs::four_bumps(), 3);

@@ -10,7 +10,8 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/internal/compiled.h>
-#include <CGAL/Simple_manifolds/registration/internal/Coarse_to_fine_registration.h>
+#include <CGAL/Simple_manifolds/registration/correspondence_distortion.h>
+#include <CGAL/Simple_manifolds/registration/internal/Registration_contest.h>
 #include <CGAL/Simple_manifolds/registration/internal/Registration_polish.h>
 #include <CGAL/Simple_manifolds/registration/register_maps.h>
 
@@ -65,151 +66,59 @@ inline std::vector<std::pair<int, int>> consistent_pairs(std::vector<std::pair<i
   return pairs;
 }
 
-// Improves two registered surfaces. What does not make the energy of both less is not kept.
-template <class Geometry>
-class Registration_improvement {
-public:
-  Registration_improvement(Registered_surface<Geometry>& source, Registered_surface<Geometry>& target,
-                           const Registration_request& request, const Registration_options& options,
-                           Registration_report& report)
-    : source_(source), target_(target), request_(request), options_(options), report_(report),
-      on_source_(source, frozen(&std::pair<int, int>::first), options),
-      on_target_(target, frozen(&std::pair<int, int>::second), options)
-  {
-    report.energies.assign(1, energy());
-  }
-
-  // Lays the source out once more, from where it is on the coarse levels: what the finer levels have found is a better
-  // start than the search.
-  void lay_out_again()
-  {
-    std::vector<Indexed_landmark<typename Geometry::Point>> landmarks;
-    for (const auto& l : request_.landmarks)
-      landmarks.push_back({l.first, source_.domain_points[l.first], 1});
-    Registration_course course;
-    const Lift<Geometry> lift = target_.lift();
-    Coarse_to_fine_registration<Geometry> again(source_, lift, landmarks, options_, true);
-    const auto progress = [&](double fraction) { request_.visitor.progress(0.4 * (std::min)(fraction, 1.)); };
-    if (!again.begin(course, progress)) return;
-    auto points = again.finish(course, progress);
-    if (!points || !course.unreached.empty()) return;
-    std::swap(source_.domain_points, *points);
-    if (!is_better()) std::swap(source_.domain_points, *points);
-  }
-
-  // Passes of the finest level over the source and the target, by turns. Then more of them where the distortion is large,
-  // for as long as that helps.
-  void polish()
-  {
-    const bool is_fast = request_.effort == Effort::FAST;
-    const int passes = request_.effort == Effort::QUALITY ? 9 : 5, more = is_fast ? 0 : 8;
-    for (int pass = 0; pass < passes; ++pass) {
-      run_pass(pass, (pass == 0 ? 20 : 4) / (is_fast ? 2 : 1), is_fast ? 0 : 20);
-      request_.visitor.progress(0.4 + 0.6 * (pass + 1.) / (passes + more));
-    }
-    for (int pass = passes; pass + 1 < passes + more; pass += 2) {
-      const double before = report_.energies.back();
-      for (const int k : {pass, pass + 1}) run_pass(k, 0, 40);
-      if (report_.energies.back() > 0.97 * before) return;
-      request_.visitor.progress(0.4 + 0.6 * (pass + 2.) / (passes + more));
-    }
-  }
-
-private:
-  void run_pass(int pass, int sweeps, int sweeps_of_worst)
-  {
-    const bool is_source = request_.has_fixed_target || pass % 2 == 0;
-    Registered_surface<Geometry>& moved = is_source ? source_ : target_;
-    std::vector<typename Geometry::Point> before = moved.domain_points;
-    if (is_source)
-      on_source_.run(source_, target_.lift(), sweeps, sweeps_of_worst);
-    else
-      on_target_.run(target_, source_.lift(), sweeps, sweeps_of_worst);
-    if (!is_better()) moved.domain_points = std::move(before);
-  }
-
-  std::vector<int> frozen(int std::pair<int, int>::*side) const
-  {
-    std::vector<int> vertices;
-    for (const auto& l : request_.landmarks) vertices.push_back(l.*side);
-    return vertices;
-  }
-  double energy()
-  {
-    return (on_source_.run(source_, target_.lift(), 0) + on_target_.run(target_, source_.lift(), 0)) / 2;
-  }
-  bool is_better()
-  {
-    const double now = energy();
-    if (!(now < report_.energies.back())) return false;
-    report_.energies.push_back(now);
-    return true;
-  }
-
-  Registered_surface<Geometry>&source_, &target_;
-  const Registration_request& request_;
-  const Registration_options& options_;
-  Registration_report& report_;
-  Registration_polish<Geometry> on_source_, on_target_;
-};
-
-// One of two surfaces laid out coarse to fine against the other one.
-template <class Geometry>
-struct One_way {
-  using Landmarks = std::vector<Indexed_landmark<typename Geometry::Point>>;
-
-  One_way(const Registered_surface<Geometry>& moved, const Registered_surface<Geometry>& fixed, bool is_back,
-          const Landmarks& landmarks, const Registration_options& options)
-    : is_backwards(is_back), lift(fixed.lift()), layout(moved, lift, landmarks, options)
-  {
-  }
-
-  bool is_backwards; // the target is moved
-  bool is_finished = false;
-  Lift<Geometry> lift;
-  Coarse_to_fine_registration<Geometry> layout;
-  Registration_course course;
-  std::optional<std::vector<typename Geometry::Point>> points; // the result
-};
-
-// Lays out the source against the target, or the other way where that promises less distortion: moved faces of one can be
-// too coarse for a limb of the other one, and seldom both. No points: doubles do not suffice.
-template <class Geometry>
-std::unique_ptr<One_way<Geometry>>
-better_way(const Registered_surface<Geometry>& a, const Registered_surface<Geometry>& b,
-           const Registration_request& request, const Registration_options& options)
+// The two surfaces as they lie, certified. The domain points of the partners of landmarks are taken bit for bit.
+template <class Atlas>
+Correspondence<Atlas> certified(const Manifold_map<Atlas>& source, const Manifold_map<Atlas>& target,
+                                std::vector<typename Atlas::Domain_point> source_points,
+                                std::vector<typename Atlas::Domain_point> target_points,
+                                const std::vector<std::pair<int, int>>& landmarks, bool is_backwards)
 {
-  using Way = One_way<Geometry>;
-  constexpr double doubtful = 0.3; // mean logarithm of the distortion
-  double done = 0;                 // the second way starts from nothing again
-  const auto progress = [&](double fraction) {
-    done = (std::max)(done, (std::min)(fraction, 1.));
-    request.visitor.progress(done);
+  for (const auto& [first, second] : landmarks)
+    if (is_backwards)
+      target_points[second] = source_points[first];
+    else
+      source_points[first] = target_points[second];
+  return Correspondence<Atlas>(with_domain_points(source, std::move(source_points)),
+                               with_domain_points(target, std::move(target_points)));
+}
+
+// A composition of the given maps, and its distortion.
+template <class Atlas>
+struct Given_correspondence {
+  Correspondence<Atlas> maps;
+  Correspondence_distortion distortion;
+};
+
+// That of the given maps, the source as it is or moved on the domain to `aligned`, whichever has less distortion; nothing
+// where landmarks are not met.
+template <class Atlas>
+std::optional<Given_correspondence<Atlas>>
+best_composition(const Manifold_map<Atlas>& source, const Manifold_map<Atlas>& target,
+                 const std::vector<typename Atlas::Domain_point>& aligned,
+                 const std::vector<std::pair<int, int>>& landmarks)
+{
+  std::optional<Given_correspondence<Atlas>> best;
+  const auto shared_target = std::make_shared<const Manifold_map<Atlas>>(target);
+  const auto add = [&](const std::vector<typename Atlas::Domain_point>& points) {
+    for (const auto& [first, second] : landmarks)
+      if (points[first] != target.domain_point(second)) return;
+    try {
+      const Correspondence<Atlas> c(with_domain_points(source, points), shared_target);
+      const Correspondence_distortion d = distortion(c);
+      if (!best || d.symmetric() < best->distortion.symmetric()) best = Given_correspondence<Atlas>{c, d};
+    } catch (const Numeric_error&) { // not one to one after rounding
+    }
   };
-  const auto begun = [&](bool is_back) {
-    using Domain = Registration_domain<Geometry>;
-    typename Way::Landmarks landmarks;
-    for (const auto& [first, second] : request.landmarks)
-      landmarks.push_back({is_back ? second : first,
-                           Domain::on_grid(is_back ? a.domain_points[first] : b.domain_points[second]), 1});
-    auto way = std::make_unique<Way>(is_back ? b : a, is_back ? a : b, is_back, landmarks, options);
-    if (!way->layout.begin(way->course, progress)) way.reset();
-    return way;
-  };
-  const auto finish = [&](Way& way) {
-    way.is_finished = true;
-    way.points = way.layout.finish(way.course, progress);
-    return way.points && way.course.unreached.empty();
-  };
-  std::unique_ptr<Way> forward = begun(false), back;
-  const double energy = forward ? forward->layout.coarse_energy() : std::numeric_limits<double>::infinity();
-  if (!request.has_fixed_target && !(energy <= doubtful)) {
-    back = begun(true);
-    if (back && back->layout.coarse_energy() < energy && finish(*back)) return back;
-  }
-  if (forward && finish(*forward)) return forward;
-  if (back && !back->is_finished && finish(*back)) return back;
-  return forward;
+  add(source.domain_points());
+  if (aligned != source.domain_points()) add(aligned);
+  return best;
+}
+
+// Whether the distortion is nowhere more: in the means on both shapes, the median and the 95th percentile.
+inline bool is_nowhere_worse(const Correspondence_distortion& d, const Correspondence_distortion& other)
+{
+  return d.mean <= other.mean && d.mean_on_target <= other.mean_on_target && d.median <= other.median &&
+         d.p95 <= other.p95 && d.not_positive <= other.not_positive;
 }
 
 template <class Atlas>
@@ -229,40 +138,54 @@ Correspondence<Atlas> registered(const Manifold_map<Atlas>& source, const Manifo
   std::string fault; // of the last attempt
   for (int attempt = 0; attempt < number_of_attempts; ++attempt) {
     request.visitor.start_phase("register");
-    const std::unique_ptr<One_way<Geometry>> way = better_way(a, b, request, options);
+    Registration_contest<Geometry> contest(a, b, request, options);
+    contest.run();
     request.visitor.end_phase();
-    if (way && way->points && !way->course.unreached.empty()) {
+    const auto given = best_composition(source, target, contest.aligned_points(), request.landmarks);
+    if (!contest.best() && !contest.unreached().empty() && !given) {
       std::vector<std::pair<int, int>> bad;
-      for (const int i : way->course.unreached) bad.push_back(request.landmarks[i]);
+      for (const int i : contest.unreached()) bad.push_back(request.landmarks[i]);
       throw_landmarks_not_met(bad, request.landmarks.size(),
                               "cannot be met with the connectivity of the first shape");
     }
-    if (way && way->points) {
-      Registered_surface<Geometry> moved = way->is_backwards ? b : a, other = way->is_backwards ? a : b;
-      moved.domain_points = std::move(*way->points);
-      report.exact_at = way->course.exact_at;
-      report.rotations = std::move(way->course.rotations);
-      request.visitor.start_phase("polish");
-      Registration_request of_way = request;
-      if (way->is_backwards)
-        for (auto& l : of_way.landmarks) std::swap(l.first, l.second);
-      Registration_improvement<Geometry> improvement(moved, other, of_way, options, report);
-      if (request.effort != Effort::FAST) improvement.lay_out_again();
-      improvement.polish();
-      request.visitor.end_phase();
-      request.visitor.start_phase("certify");
-      try {
-        for (const auto& [first, second] : of_way.landmarks) // their last bits, too
-          moved.domain_points[first] = other.domain_points[second];
-        if (way->is_backwards) std::swap(moved.domain_points, other.domain_points);
-        Correspondence<Atlas> result(with_domain_points(source, std::move(moved.domain_points)),
-                                     with_domain_points(target, std::move(other.domain_points)));
+    const auto result = [&](bool is_backwards) {
+      report.energies = contest.energies();
+      return certified(source, target, contest.improved_source().domain_points,
+                       contest.improved_target().domain_points, request.landmarks, is_backwards);
+    };
+    const auto is_good = [&](const Correspondence<Atlas>& c) {
+      return !given || is_nowhere_worse(distortion(c), given->distortion);
+    };
+    try {
+      if (contest.best()) {
+        request.visitor.start_phase("polish");
+        contest.improve();
         request.visitor.end_phase();
-        return result;
-      } catch (const Numeric_error& e) { // begin anew with a better conditioned energy
-        fault = std::string("; the last attempt: ") + e.what();
+        request.visitor.start_phase("certify");
+        const Correspondence<Atlas> c = result(contest.best()->is_backwards);
+        const bool is_kept = is_good(c);
+        request.visitor.end_phase();
+        report.exact_at = contest.best()->exact_at;
+        report.rotations = contest.best()->rotations;
+        report.is_backwards = contest.best()->is_backwards;
+        if (is_kept) return c;
       }
-      request.visitor.end_phase();
+      if (given) {
+        report.is_backwards = false;
+        report.kept = Kept_registration::GIVEN_MAPS_IMPROVED;
+        request.visitor.start_phase("polish");
+        contest.improve(given->maps.source().domain_points());
+        request.visitor.end_phase();
+        const Correspondence<Atlas> c = result(false);
+        if (report.energies.size() > 1 && is_good(c)) return c;
+      }
+    } catch (const Numeric_error& e) { // begin anew with a better conditioned energy
+      fault = std::string("; the last attempt: ") + e.what();
+    }
+    if (given) {
+      report.kept = Kept_registration::GIVEN_MAPS;
+      report.energies.resize(1);
+      return given->maps;
     }
     options.area_floor = attempt == 0 ? 0.5 : 1;
     options.shape_floor = attempt == 0 ? 1 : 100;

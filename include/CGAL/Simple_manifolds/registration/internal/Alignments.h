@@ -28,6 +28,7 @@ namespace internal {
 // The ways in which a laid out surface can be moved on its domain as a whole, all over. Each is an Alignment.
 //   all()                          a grid of them
 //   apply(geometry, mesh, a)       moves the surface from where it was at construction
+//   moved(a, p)                    where that takes a domain point
 //   are_apart(a, b)                whether one does not lead where the other one does
 //   neighbours(a, step)            those next to it, for steps from first_step down to last_step
 template <class Geometry>
@@ -38,12 +39,12 @@ inline double angle_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b)
   return std::acos((std::min)(1., (std::max)(-1., ((a.transpose() * b).trace() - 1) / 2)));
 }
 
-// Rotations all over SO(3), about 15 degrees apart: axes on a spiral, and turns about them.
+// Rotations all over SO(3), about 15 degrees apart: none, and turns about axes on a spiral.
 inline std::vector<Eigen::Matrix3d> rotations_all_over()
 {
   constexpr int axes = 96, turns = 24;
   const double pi = std::acos(-1.), golden_angle = pi * (3 - std::sqrt(5.));
-  std::vector<Eigen::Matrix3d> all;
+  std::vector<Eigen::Matrix3d> all{Eigen::Matrix3d::Identity()};
   for (int i = 0; i < axes; ++i) {
     const double z = 1 - (2 * i + 1.) / axes, r = std::sqrt(1 - z * z);
     const Eigen::Vector3d axis(r * std::cos(i * golden_angle), r * std::sin(i * golden_angle), z);
@@ -75,8 +76,9 @@ public:
   void apply(Sphere_geometry& geometry, const Collapse_hierarchy& mesh, const Alignment& a) const
   {
     for (int v = 0; v < mesh.number_of_active_vertices(); ++v)
-      geometry.set_position(v, (a * geometry_.position(v)).normalized());
+      geometry.set_position(v, moved(a, geometry_.position(v)));
   }
+  static Eigen::Vector3d moved(const Alignment& a, const Eigen::Vector3d& p) { return (a * p).normalized(); }
   bool are_apart(const Alignment& a, const Alignment& b) const
   {
     return angle_between(a, b) >= 25 * std::acos(-1.) / 180;
@@ -118,15 +120,23 @@ public:
   std::vector<Alignment> all() const
   {
     constexpr int k = 16;
-    std::vector<Alignment> result;
+    std::vector<Alignment> result{{Eigen::Matrix2i::Identity(), Eigen::Vector2d(0, 0)}};
     for (const Eigen::Matrix2i& m : markings_)
       for (int i = 0; i < k * k; ++i) result.push_back({m, Eigen::Vector2d(i / k, i % k) / k});
     return result;
   }
   void apply(Torus_geometry& geometry, const Collapse_hierarchy& mesh, const Alignment& a) const
   {
-    geometry = geometry_;
+    geometry.take_active(mesh, geometry_);
     geometry.transform(mesh, a.marking, a.translation);
+  }
+  static Eigen::Vector2d moved(const Alignment& a, const Eigen::Vector2d& p)
+  {
+    Eigen::Vector2d q = a.marking.cast<double>() * p + a.translation;
+    for (int k = 0; k < 2; ++k) q[k] -= std::floor(q[k]);
+    q = Torus_geometry::snapped(q);
+    for (int k = 0; k < 2; ++k) q[k] = q[k] < 1 ? q[k] : 0;
+    return q;
   }
   bool are_apart(const Alignment& a, const Alignment& b) const
   {
@@ -163,6 +173,11 @@ public:
   {
     geometry = geometry_;
     for (; turns > 0; --turns) geometry.turn();
+  }
+  static Eigen::Vector2d moved(Alignment turns, Eigen::Vector2d p)
+  {
+    for (; turns > 0; --turns) p = Eigen::Vector2d(1 - p[1], p[0]);
+    return p;
   }
   bool are_apart(Alignment, Alignment) const { return true; }
   std::vector<Alignment> neighbours(Alignment, double) const { return {}; }

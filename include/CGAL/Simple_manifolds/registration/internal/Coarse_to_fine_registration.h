@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -62,10 +61,10 @@ public:
       if (has_search_ && !is_placed_ && landmarks_.size() >= 3) rotate_full_map();
   }
 
-  // As far as the level on which the source is aligned and the landmarks are met for the first time. False if doubles do
-  // not suffice.
+  // As far as the level on which the source is aligned and the landmarks are met for the first time: there it makes
+  // starts, at most as many as are asked for. False if doubles do not suffice.
   template <class Progress>
-  bool begin(Registration_course& course, const Progress& progress)
+  bool begin(int most_starts, Registration_course& course, const Progress& progress)
   {
     if (!lay_out_base()) return false;
     layout_.update_mesh();
@@ -79,22 +78,29 @@ public:
       if (!has_search_) geometry_.align(active_landmarks());
       sweep_level(progress);
     }
-    start(course, progress);
+    make_starts(most_starts, course, progress);
+    if (starts_.size() > 1) start_mesh_ = levels_.mesh;
     return true;
   }
 
-  // After begin(): the mean logarithm of the distortion, 0 for an isometry; infinite while landmarks are not met.
-  double coarse_energy()
-  {
-    if (!is_exact_) return std::numeric_limits<double>::infinity();
-    layout_.lift_all();
-    return layout_.composed().chordal_mean(true);
-  }
+  // After begin(): how many different coarse layouts there are to go on from, the most promising one first.
+  int number_of_starts() const { return static_cast<int>(starts_.size()); }
 
-  // After begin(): the domain points of the source in the order of its vertices; nothing if doubles do not suffice.
+  // After begin(): the given map as it is, aligned with the target as a whole.
+  const std::vector<Point>& aligned_points() const { return aligned_; }
+
+  // From the k-th start: the domain points of the source in the order of its vertices; nothing if doubles do not
+  // suffice.
   template <class Progress>
-  std::optional<std::vector<Point>> finish(Registration_course& course, const Progress& progress)
+  std::optional<std::vector<Point>> finish(int k, Registration_course& course, const Progress& progress)
   {
+    if (k > 0) levels_.mesh = *start_mesh_;
+    geometry_ = starts_[k].geometry;
+    is_exact_ = starts_[k].is_exact;
+    layout_.update_mesh();
+    layout_.set_stage(is_exact_ ? Stage::CHORDAL : Stage::DOMAIN);
+    if (is_exact_) layout_.sweep(sweeps(100));
+    course.exact_at = 0;
     while (true) {
       if (is_exact_ && !landmarks_.empty() && course.exact_at == 0)
         course.exact_at = layout_.number_of_vertices();
@@ -197,24 +203,20 @@ private:
   }
 
   template <class Progress>
-  void start(Registration_course& course, const Progress& progress)
+  void make_starts(int most, Registration_course& course, const Progress& progress)
   {
+    aligned_ = source_.domain_points;
     if (has_search_) {
       layout_.sweep(60);
       layout_.forget_goals();
-      if (is_placed_)
-        reach_landmarks(false);
-      else
-        search(course, progress);
+      if (!is_placed_) return search(most, course, progress);
     } else {
       geometry_.align(active_landmarks());
       layout_.sweep(30);
       geometry_.align(active_landmarks());
-      reach_landmarks(false);
     }
-    if (!is_exact_) return;
-    layout_.set_stage(Stage::CHORDAL);
-    layout_.sweep(sweeps(100));
+    reach_landmarks(false);
+    starts_.push_back({is_exact_, 0, geometry_});
   }
 
   // Drags all landmarks to their goals, and lets the others follow. Those that are there are frozen; on the finest
@@ -236,7 +238,7 @@ private:
 
   // Tries alignments of the coarse layout, relaxes the most promising ones against the target, and keeps the best.
   template <class Progress>
-  void search(Registration_course& course, const Progress& progress)
+  void search(int most, Registration_course& course, const Progress& progress)
   {
     const Alignments<Geometry> alignments(geometry_, source_.lift(), lift_);
     using Scored = Scored_alignment<typename Alignments<Geometry>::Alignment>;
@@ -257,38 +259,49 @@ private:
     if (!landmarks_.empty())
       for (const Scored& r : best_apart(alignments, std::move(with_landmarks), 8)) best.push_back(r);
     for (Scored& r : best) descend(alignments, r, score);
+    const Scored& aligned = *std::min_element(
+      best.begin(), best.end(), [](const Scored& x, const Scored& y) { return x.score < y.score; });
+    for (Point& p : aligned_) p = alignments.moved(aligned.alignment, p);
 
     // Each a little, and of these the best ones to the end.
-    std::vector<Candidate> candidates;
     for (const Scored& r : best) {
       alignments.apply(geometry_, levels_.mesh, r.alignment);
-      candidates.push_back(relaxed(15));
-      progress(0.1 + 0.05 * static_cast<double>(candidates.size()) / static_cast<double>(best.size()));
+      starts_.push_back(relaxed(15));
+      progress(0.1 + 0.05 * static_cast<double>(starts_.size()) / static_cast<double>(best.size()));
     }
-    std::stable_sort(candidates.begin(), candidates.end());
-    candidates.erase(candidates.begin() +
-                       static_cast<std::ptrdiff_t>((std::min)(candidates.size(), std::size_t(5))),
-                     candidates.end());
-    for (Candidate& c : candidates) {
+    std::stable_sort(starts_.begin(), starts_.end());
+    while (starts_.size() > 5) starts_.pop_back();
+    for (Start& c : starts_) {
       geometry_ = c.geometry;
       c = relaxed(45);
       course.rotations.push_back(c.energy);
     }
-    const Candidate& chosen = *std::min_element(candidates.begin(), candidates.end());
-    geometry_ = chosen.geometry;
-    layout_.update_mesh();
-    is_exact_ = chosen.is_exact;
-    layout_.set_stage(Stage::DOMAIN);
+    std::stable_sort(starts_.begin(), starts_.end());
+    std::vector<Start> different;
+    for (Start& c : starts_)
+      if (static_cast<int>(different.size()) < most &&
+          std::all_of(different.begin(), different.end(), [&](const Start& d) { return are_apart(c, d); }))
+        different.push_back(std::move(c));
+    starts_ = std::move(different);
   }
 
   // A coarse layout. Those that meet the landmarks are before others.
-  struct Candidate {
+  struct Start {
     bool is_exact;
-    double energy; // mean logarithm
+    double energy; // mean logarithm of the distortion
     Geometry geometry;
-    bool operator<(const Candidate& o) const { return is_exact != o.is_exact ? is_exact : energy < o.energy; }
+    bool operator<(const Start& o) const { return is_exact != o.is_exact ? is_exact : energy < o.energy; }
   };
-  Candidate relaxed(int times)
+  // Whether they have not come to the same layout.
+  bool are_apart(const Start& x, const Start& y) const
+  {
+    const int n = layout_.number_of_vertices();
+    double sum = 0;
+    for (int v = 0; v < n; ++v)
+      sum += Domain::difference(x.geometry.position(v), y.geometry.position(v)).squaredNorm();
+    return sum > 1e-3 * n * Geometry::total_area / (4 * std::acos(-1.));
+  }
+  Start relaxed(int times)
   {
     layout_.update_mesh();
     is_exact_ = true;
@@ -321,7 +334,10 @@ private:
   Registration_options options_;
   Landmarks landmarks_;     // in the numbers of the hierarchy
   std::vector<Point> full_; // the map that the source came with
+  std::vector<Point> aligned_;
   bool is_exact_, is_placed_, has_search_;
+  std::vector<Start> starts_;
+  std::optional<Collapse_hierarchy> start_mesh_; // of the starts, if there are several
 };
 
 } // namespace internal

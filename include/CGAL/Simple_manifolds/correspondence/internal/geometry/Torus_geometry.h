@@ -16,6 +16,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -175,6 +176,16 @@ public:
     m00_ = m(0, 0);
     m01_ = m(0, 1);
     m11_ = m(1, 1);
+  }
+
+  // The active part of what another geometry of the mesh has.
+  void take_active(const Collapse_hierarchy& mesh, const Torus_geometry& other)
+  {
+    std::copy_n(other.position_.begin(), mesh.number_of_active_vertices(), position_.begin());
+    std::copy_n(other.deck_.begin(), 3 * mesh.number_of_active_faces(), deck_.begin());
+    m00_ = other.m00_;
+    m01_ = other.m01_;
+    m11_ = other.m11_;
   }
 
   // Maps the torus onto itself by p -> matrix * p + translation, and the metric with it. Precondition: the determinant is 1
