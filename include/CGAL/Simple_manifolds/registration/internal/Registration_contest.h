@@ -92,8 +92,14 @@ public:
   const std::vector<double>& energies() const { return improvement_.energies(); }
 
 private:
-  // Less energy than that is not looked for.
-  bool is_decided() const { return best_ && best_->energy <= 1.75; }
+  // Less energy than that is not looked for. Many landmarks tell which layout is right, while a little polishing of so
+  // many that are held does not tell it of wrong ones.
+  bool is_decided() const
+  {
+    constexpr double enough = 1.75;
+    constexpr std::size_t many = 6;
+    return best_ && (best_->energy <= enough || request_.landmarks.size() > many);
+  }
 
   void restart(bool is_backwards, const Points& source, const Points& target)
   {
