@@ -14,6 +14,7 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace CGAL {
 namespace Simple_manifolds {
@@ -25,13 +26,19 @@ public:
   explicit Text_buffer(std::ostream& out) : out_(out) {}
   Text_buffer(const Text_buffer&) = delete;
   Text_buffer& operator=(const Text_buffer&) = delete;
-  ~Text_buffer() { flush(); }
+  ~Text_buffer()
+  {
+    try {
+      flush();
+    } catch (...) { // of a stream that throws: its state says that it failed
+    }
+  }
 
   // What is in the buffer goes to the stream; before others look at the stream.
   void flush()
   {
-    if (size_ > 0) out_.write(text_, std::streamsize(size_));
-    size_ = 0;
+    const std::size_t size = std::exchange(size_, 0);
+    if (size > 0) out_.write(text_, std::streamsize(size));
   }
 
   Text_buffer& operator<<(char c)

@@ -14,6 +14,7 @@
 #include <CGAL/Simple_manifolds/registration/internal/Registration_request.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -61,6 +62,9 @@ public:
       aligned_(source.domain_points)
   {
   }
+
+  Registration_contest(const Registration_contest&) = delete; // it refers to itself
+  Registration_contest& operator=(const Registration_contest&) = delete;
 
   void run()
   {
@@ -129,7 +133,7 @@ private:
       auto points = way.layout.finish(k, way.course, progress);
       if (!points) continue;
       if (!way.course.unreached.empty()) {
-        if (!is_backwards && k == 0) unreached_ = way.course.unreached;
+        if (!is_backwards && unreached_.empty()) unreached_ = way.course.unreached;
         continue;
       }
       restart(is_backwards, is_backwards ? source_.domain_points : *points,
