@@ -128,8 +128,6 @@ Correspondence<Atlas> registered(const Manifold_map<Atlas>& source, const Manifo
   using Geometry = typename Registration_geometry_of<Atlas>::type;
   Registration_request request = asked;
   request.landmarks = consistent_pairs(std::move(request.landmarks));
-  report = Registration_report();
-  report.landmarks = request.landmarks.size();
   const Registered_surface<Geometry> a(source.points(), source.faces(), source.domain_points());
   const Registered_surface<Geometry> b(target.points(), target.faces(), target.domain_points());
   Registration_options options;
@@ -137,6 +135,9 @@ Correspondence<Atlas> registered(const Manifold_map<Atlas>& source, const Manifo
   options.sweeps = request.effort == Effort::FAST ? 0.5 : request.effort == Effort::QUALITY ? 2 : 1;
   std::string fault; // of the last attempt
   for (int attempt = 0; attempt < number_of_attempts; ++attempt) {
+    report = Registration_report();
+    report.landmarks = request.landmarks.size();
+    bool has_failed = false;
     request.visitor.start_phase("register");
     Registration_contest<Geometry> contest(a, b, request, options);
     contest.run();
@@ -181,9 +182,11 @@ Correspondence<Atlas> registered(const Manifold_map<Atlas>& source, const Manifo
       }
     } catch (const Numeric_error& e) { // begin anew with a better conditioned energy
       fault = std::string("; the last attempt: ") + e.what();
+      has_failed = true;
     }
-    if (given) {
+    if (given && (!has_failed || attempt + 1 == number_of_attempts)) {
       report.kept = Kept_registration::GIVEN_MAPS;
+      report.is_backwards = false;
       report.energies.resize(1);
       return given->maps;
     }
