@@ -63,6 +63,7 @@
 #include <CGAL/Simple_manifolds/registration/Shape_set.h>
 #include <CGAL/Simple_manifolds/registration/canonical_position.h>
 #include <CGAL/Simple_manifolds/registration/common_mesh.h>
+#include <CGAL/Simple_manifolds/registration/common_refinement.h>
 #include <CGAL/Simple_manifolds/registration/correspondence_distortion.h>
 #include <CGAL/Simple_manifolds/registration/register_maps.h>
 #include <CGAL/Simple_manifolds/registration/register_shapes.h>
