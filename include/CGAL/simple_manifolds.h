@@ -65,6 +65,7 @@
 #include <CGAL/Simple_manifolds/registration/common_mesh.h>
 #include <CGAL/Simple_manifolds/registration/common_refinement.h>
 #include <CGAL/Simple_manifolds/registration/correspondence_distortion.h>
+#include <CGAL/Simple_manifolds/registration/refined_distortion.h>
 #include <CGAL/Simple_manifolds/registration/register_maps.h>
 #include <CGAL/Simple_manifolds/registration/register_shapes.h>
 #include <CGAL/Simple_manifolds/registration/shape_statistics.h>

@@ -1,10 +1,12 @@
 #include "../bodies.h"
-#include "../correspondence/sample_maps.h"
+#include "blobs.h"
 #include "catch.h"
 
 #include <CGAL/Simple_manifolds/correspondence/map_to_hyperbolic_surface.h>
 #include <CGAL/Simple_manifolds/correspondence/topology.h>
 #include <CGAL/Simple_manifolds/registration/common_refinement.h>
+#include <CGAL/Simple_manifolds/registration/correspondence_distortion.h>
+#include <CGAL/Simple_manifolds/registration/refined_distortion.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -474,6 +476,47 @@ TEST_CASE("common refinements over surfaces of higher genus")
   const auto same = check(Correspondence<Hyperbolic_atlas>(map, map));
   CHECK(same.faces.size() == map.number_of_faces());
   CHECK(same.points_on_source == map.points());
+}
+
+TEST_CASE("distortion is the same over the common refinement and by samples")
+{
+  // Samples spread evenly are nearer than random ones would be; the mean of n random ones of variance s^2 is wrong by
+  // s / sqrt(n), here 0.2 % for each of them.
+  const auto compare = [](const auto& c, double tolerance) {
+    const Correspondence_distortion exact = distortion(c, common_refinement(c)),
+                                    sampled = distortion(c, std::size_t(200000));
+    CHECK(exact.not_positive == 0);
+    CHECK(exact.mean > 1.005);
+    CHECK(sampled.mean == Approx(exact.mean).epsilon(tolerance));
+    CHECK(sampled.mean_on_target == Approx(exact.mean_on_target).epsilon(tolerance));
+    CHECK(sampled.median == Approx(exact.median).epsilon(tolerance));
+    CHECK(sampled.p95 == Approx(exact.p95).epsilon(tolerance));
+    CHECK(sampled.p99 == Approx(exact.p99).epsilon(3 * tolerance));
+    CHECK(sampled.angle_mean == Approx(exact.angle_mean).epsilon(tolerance));
+    CHECK(sampled.area_mean_abs_log2 == Approx(exact.area_mean_abs_log2).epsilon(tolerance));
+    CHECK(sampled.max <= exact.max * 1.01);
+    // the other way: the means change places
+    const auto back = c.inverse();
+    const Correspondence_distortion other = distortion(back, common_refinement(back));
+    CHECK(other.mean == Approx(exact.mean_on_target).epsilon(1e-5));
+    CHECK(other.mean_on_target == Approx(exact.mean).epsilon(1e-5));
+  };
+  const auto blob = [](const blobs::Blob& b) {
+    return Manifold_map<Sphere_atlas>(b.points, b.faces, b.sphere, b.points.size());
+  };
+  compare(Correspondence<Sphere_atlas>(blob(blobs::blob(blobs::four_bumps(), 3)),
+                                       blob(blobs::blob({}, 4, blobs::some_turn()))),
+          2e-3);
+  compare(between(sample::torus_grid(7, 5), sample::torus_grid(5, 6, Vector2d(0.1, 0.3))), 2e-3);
+  auto roof = sample::square_fan(12, Vector2d(0.3, 0.6));
+  roof.points[0].z() = 0.5;
+  compare(between(sample::square_grid(5, 4), roof), 2e-3);
+
+  // exact: a rectangle is stretched to a square of the same area, by 2 and by 1/2
+  const auto c = between(sample::square_grid(3, 2, 2, 0.5), sample::square_grid(5, 7));
+  const Correspondence_distortion d = distortion(c, common_refinement(c));
+  for (const double density : {d.mean, d.mean_on_target, d.median, d.p95, d.max})
+    CHECK(density == Approx(2.125).epsilon(1e-12));
 }
 
 } // namespace test_common_refinement

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 /// \file
@@ -101,6 +102,60 @@ double area_in_diagonals(const Map& map)
   return total;
 }
 
+// Derivatives at points that stand for some area of the source each.
+class Distortion_sum {
+public:
+  // Of the correspondence of shapes that are scaled to the same area.
+  void add(const Eigen::Matrix2d& jacobian, double weight)
+  {
+    const double area = jacobian.determinant();
+    if (!(area > 0) || !jacobian.allFinite()) {
+      ++result_.not_positive;
+      return;
+    }
+    const auto [s1, s2] = singular_values(jacobian);
+    const double sd = (s1 * s1 + s2 * s2 + 1 / (s1 * s1) + 1 / (s2 * s2)) / 4;
+    density_.emplace_back(sd, weight);
+    weight_ += weight;
+    result_.mean += weight * sd;
+    target_sum_ += weight * sd * area;
+    target_weight_ += weight * area;
+    result_.angle_mean += weight * (s1 / s2);
+    result_.area_mean_abs_log2 += weight * std::abs(std::log2(area));
+  }
+
+  Correspondence_distortion result() &&
+  {
+    Correspondence_distortion& d = result_;
+    d.samples = density_.size();
+    if (density_.empty()) return d;
+    d.mean /= weight_;
+    d.angle_mean /= weight_;
+    d.area_mean_abs_log2 /= weight_;
+    d.mean_on_target = target_sum_ / target_weight_;
+    std::sort(density_.begin(), density_.end());
+    d.median = percentile(50);
+    d.p95 = percentile(95);
+    d.p99 = percentile(99);
+    d.max = density_.back().first;
+    return d;
+  }
+
+private:
+  // The first density below which there is more than that share.
+  double percentile(int p) const
+  {
+    double sum = 0;
+    for (const auto& [sd, weight] : density_)
+      if ((sum += weight) > weight_ * p / 100) return sd;
+    return density_.back().first;
+  }
+
+  Correspondence_distortion result_;
+  std::vector<std::pair<double, double>> density_; // with weights
+  double weight_ = 0, target_sum_ = 0, target_weight_ = 0;
+};
+
 } // namespace internal
 
 /// \ingroup PkgSimpleManifoldsRegistration
@@ -113,46 +168,14 @@ Correspondence_distortion distortion(const Correspondence<Atlas>& c, std::size_t
   CGAL_precondition(samples > 0);
   const auto &source = c.source(), &target = c.target();
   const double scale = std::sqrt(internal::area_in_diagonals(source) / internal::area_in_diagonals(target));
-  Correspondence_distortion d;
-  std::vector<double> density;
-  density.reserve(samples);
-  double target_sum = 0, target_weight = 0;
+  internal::Distortion_sum sum;
   int hint = -1;
   internal::for_each_sample(source, samples, [&](const auto& x) {
     const auto y = c(x, hint);
     hint = y.face;
-    if (target.is_virtual(y.face)) return;
-    const Eigen::Matrix2d jacobian = scale * internal::unit_jacobian(source, x, target, y);
-    const double area = jacobian.determinant();
-    if (!(area > 0) || !jacobian.allFinite()) {
-      ++d.not_positive;
-      return;
-    }
-    const auto [s1, s2] = internal::singular_values(jacobian);
-    const double sd = (s1 * s1 + s2 * s2 + 1 / (s1 * s1) + 1 / (s2 * s2)) / 4;
-    density.push_back(sd);
-    d.mean += sd;
-    target_sum += sd * area;
-    target_weight += area;
-    d.angle_mean += s1 / s2;
-    d.area_mean_abs_log2 += std::abs(std::log2(area));
+    if (!target.is_virtual(y.face)) sum.add(scale * internal::unit_jacobian(source, x, target, y), 1);
   });
-  d.samples = density.size();
-  if (density.empty()) return d;
-  const double n = static_cast<double>(density.size());
-  d.mean /= n;
-  d.angle_mean /= n;
-  d.area_mean_abs_log2 /= n;
-  d.mean_on_target = target_sum / target_weight;
-  std::sort(density.begin(), density.end());
-  const auto percentile = [&](std::size_t p) {
-    return density[(std::min)(density.size() * p / 100, density.size() - 1)];
-  };
-  d.median = percentile(50);
-  d.p95 = percentile(95);
-  d.p99 = percentile(99);
-  d.max = density.back();
-  return d;
+  return std::move(sum).result();
 }
 
 } // namespace Simple_manifolds
