@@ -21,6 +21,15 @@ struct Usage_error : std::runtime_error {
 /// What is thrown to end the program early without an error: after --help and --version.
 struct Done {};
 
+/// Refuses what the build of scripts/demo leaves out, so that it takes less time.
+inline void require_not_demo([[maybe_unused]] const std::string& what)
+{
+#ifdef SIMPLE_MANIFOLDS_DEMO
+  throw Usage_error("scripts/demo has built this program without " + what +
+                    "; cmake --preset release && cmake --build build/release makes one that has all");
+#endif
+}
+
 /// The command line: INPUT, and the options of the programs; each adds its own.
 class Command_line {
 public:

@@ -1,5 +1,7 @@
 #include "fit_files.h"
 
+#include <CGAL/Simple_manifolds/IO/Atomic_file.h>
+
 #include <filesystem>
 
 namespace tools {
@@ -16,6 +18,35 @@ std::vector<std::string> files_of_body(const Fit_request& request)
 }
 
 } // namespace
+
+Json parameters_of(const Job& job)
+{
+  Json p = {{"method", job.options.get<std::string>("method")}};
+  if (!is_paper(job.options)) {
+    const SM::Map_options o = SM::map_options_for_fitting();
+    p.update({{"energy", "amips"}, {"lambda", o.lambda}, {"area_floor", o.area_floor}});
+  }
+  p.update({{"surface", job.request.is_patches ? "patches" : "hierarchical"},
+            {"tolerance", job.request.average},
+            {"max_tolerance", job.request.maximum},
+            {"degree", job.request.degree},
+            {"bump", "smoothstep"},
+            {"bump_smoothness", job.request.smoothness},
+            {"samples", job.request.samples}});
+  return p;
+}
+
+void require_cad_output(const Command_line& options)
+{
+  if (!options.has("cad")) return;
+  require_not_demo("bodies for CAD systems");
+  const std::string file = options.get<std::string>("cad");
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension != ".step" && extension != ".stp") throw Usage_error("--cad writes a .step or .stp file");
+  require_not_input(options, file);
+  SM::Atomic_folder folder(options.get<std::string>("output")); // neither leaves a trace
+  SM::Atomic_file trial(folder.file_elsewhere(file));
+}
 
 void require_outputs(const Command_line& options, const Fit_request& request, std::size_t parts)
 {

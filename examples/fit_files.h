@@ -52,12 +52,19 @@ struct Fits {
   std::vector<std::string> errors;
 };
 
+/// What the metrics say of the options, whatever is fitted.
+Json parameters_of(const Job& job);
+
 /// The folder of a body among several.
 inline std::string folder_of_part(std::size_t k) { return "part-" + std::to_string(k + 1); }
 
 /// Found out before the work: the files can be written, and none of them takes the place of INPUT.
 /// \throw Usage_error, SM::IO_error
 void require_outputs(const Command_line& options, const Fit_request& request, std::size_t parts);
+
+/// The same of the file of --cad, if there is one.
+/// \throw Usage_error, SM::IO_error
+void require_cad_output(const Command_line& options);
 
 /// The field `confidence` at points of a surface; none for stacks of patches, which have no cells.
 template <class Surface>

@@ -100,6 +100,7 @@ Fit_request fit_request(const Command_line& options)
   options.require(r.maximum > 0 && std::isfinite(r.maximum), "max-tolerance", "a positive number");
   options.require(r.degree >= 2 && r.degree <= 5, "degree", "from 2 to 5");
   options.require(r.smoothness >= 1 && r.smoothness <= 3, "smoothness", "from 1 to 3");
+  if (r.is_patches || r.smoothness != 2) require_not_demo("patches and other smoothness");
   r.controls = options.get<long>("max-controls");
   r.noise = options.get<double>("noise");
   options.require(r.noise >= 0 && r.noise <= 1, "noise", "from 0 to 1");

@@ -1,6 +1,8 @@
 #include "parts.h"
 
+#ifndef SIMPLE_MANIFOLDS_DEMO
 #include <CGAL/Simple_manifolds/paper/map/map_components_by_partition.h>
+#endif
 
 #include <algorithm>
 #include <limits>
@@ -20,7 +22,8 @@ std::size_t asked_parts(const Command_line& options)
 }
 
 Parts map_parts(const Command_line& options, const Input& input, const SM::Map_options& map_options,
-                const std::vector<Mesh::Vertex_index>& corners, std::vector<Json>& how, Progress& progress)
+                const std::vector<Mesh::Vertex_index>& corners, [[maybe_unused]] std::vector<Json>& how,
+                Progress& progress)
 {
   using Tag = CGAL::Parallel_if_available_tag;
   if (!is_paper(options))
@@ -29,6 +32,10 @@ Parts map_parts(const Command_line& options, const Input& input, const SM::Map_o
                                                  .corners(corners)
                                                  .max_components(asked_parts(options))
                                                  .visitor(std::ref(progress)));
+  require_not_demo("the method of the paper");
+#ifdef SIMPLE_MANIFOLDS_DEMO
+  return {};
+#else
   std::vector<SM::Partition_report> reports;
   Parts parts =
     SM::map_components_by_partition<Tag>(input.mesh, SM::parameters::partition_reports(std::ref(reports))
@@ -43,6 +50,7 @@ Parts map_parts(const Command_line& options, const Input& input, const SM::Map_o
                    {"largest_deviation_of_faces", r.equalization.largest_deviation},
                    {"stopped_by_rule", r.equalization.has_stopped_by_rule}});
   return parts;
+#endif
 }
 
 void say_of_parts(const char* program, const std::vector<Part_message>& messages)

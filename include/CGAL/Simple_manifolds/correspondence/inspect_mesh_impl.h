@@ -14,8 +14,9 @@
 #include <CGAL/Simple_manifolds/internal/Components.h>
 #include <CGAL/Simple_manifolds/internal/Union_find.h>
 #include <CGAL/Simple_manifolds/internal/compiled.h>
+#include <CGAL/Simple_manifolds/internal/faces_of_soup.h>
 #include <CGAL/Simple_manifolds/internal/half_edges.h>
-#include <CGAL/Simple_manifolds/internal/surface_faults_impl.h>
+#include <CGAL/Simple_manifolds/internal/surface_faults.h>
 
 #include <CGAL/assertions.h>
 

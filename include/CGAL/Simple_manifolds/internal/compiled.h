@@ -27,7 +27,8 @@
 // In a user's unit this declares that the code is elsewhere, so that the compiler does not make it again. Only functions
 // that are not inline are left out by compilers: their definitions stand outside of their classes.
 //
-// The library's source, src/Simple_manifolds.cpp, includes both and makes the code.
+// The library's sources, in src/, include both and make the code, each that of some layers: it first includes what the others
+// make.
 
 #if defined(CGAL_SIMPLE_MANIFOLDS_COMPILED) && !defined(CGAL_SIMPLE_MANIFOLDS_INSTANTIATE)
 #define CGAL_SIMPLE_MANIFOLDS_INSTANTIATE extern template

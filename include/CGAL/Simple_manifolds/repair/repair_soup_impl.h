@@ -10,7 +10,8 @@
 
 #include <CGAL/Simple_manifolds/Error.h>
 #include <CGAL/Simple_manifolds/internal/compiled.h>
-#include <CGAL/Simple_manifolds/internal/surface_faults_impl.h>
+#include <CGAL/Simple_manifolds/internal/faces_of_soup.h>
+#include <CGAL/Simple_manifolds/internal/surface_faults.h>
 #include <CGAL/Simple_manifolds/repair/internal/Soup_in_repair.h>
 #include <CGAL/Simple_manifolds/repair/internal/cut_non_manifold.h>
 #include <CGAL/Simple_manifolds/repair/internal/drop_copies.h>

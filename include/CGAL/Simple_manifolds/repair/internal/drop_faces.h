@@ -8,8 +8,8 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_REPAIR_INTERNAL_DROP_FACES_H
 #define CGAL_SIMPLE_MANIFOLDS_REPAIR_INTERNAL_DROP_FACES_H
 
+#include <CGAL/Simple_manifolds/internal/faces_of_soup.h>
 #include <CGAL/Simple_manifolds/internal/half_edges.h>
-#include <CGAL/Simple_manifolds/internal/surface_faults_impl.h>
 #include <CGAL/Simple_manifolds/repair/internal/Soup_in_repair.h>
 
 #include <vector>
