@@ -158,6 +158,12 @@ if(PART STREQUAL good_input)
   # The map of a fit is the one that suits a fit.
   run(0 "" ${MAP_MESH} ${MESHES}/sphere.off -o ${WORK}/for_fit.ply --energy amips --lambda 0.1 --area-floor 0.02)
   run(0 "" ${CMAKE_COMMAND} -E compare_files ${WORK}/for_fit.ply ${WORK}/new/sphere/map.ply)
+  # Both lie where they are asked to.
+  run(0 "" ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/placed --tolerance 0.05 --position shape --quiet)
+  run(1 "" ${CMAKE_COMMAND} -E compare_files ${WORK}/placed/map.ply ${WORK}/new/sphere/map.ply)
+  run(0 "" ${MAP_MESH} ${MESHES}/sphere.off -o ${WORK}/placed.ply --energy amips --lambda 0.1 --area-floor 0.02
+    --position shape)
+  run(0 "" ${CMAKE_COMMAND} -E compare_files ${WORK}/placed.ply ${WORK}/placed/map.ply)
 
   # A compact fit moves the map. What is written does not turn over where the mesh does not; of a thin wedge both do.
   run(0 "" ${FIT_MESH} ${MESHES}/sphere.off -o ${WORK}/compact --tolerance 0.01 --fit-effort compact --quiet)
@@ -416,7 +422,7 @@ if(PART STREQUAL usage)
     run(2 "${message}|INPUT" ${MAP_MESH} ${row})
     run(2 "${message}|INPUT" ${FIT_MESH} ${row})
   endforeach()
-  foreach(row "--area-floor;0;above 0" "--effort;much;fast, default, quality" "--close-borders;some;none, small, inner" "--weld;much;none, or a number"
+  foreach(row "--area-floor;0;above 0" "--effort;much;fast, default, quality" "--position;left;none, shape, space" "--close-borders;some;none, small, inner" "--weld;much;none, or a number"
       "--energy;none;symmetric_dirichlet, amips"
       "--lambda;0;positive" "--lambda;x;lambda" "--metrics;${WORK}/none/m.json;m.json"
       "--metrics;${WORK}/o;another result is written to" "--metrics;${WORK}/./o;another result is written to"

@@ -26,6 +26,7 @@ Json parameters_of(const Job& job)
     const SM::Map_options o = SM::map_options_for_fitting();
     p.update({{"energy", "amips"}, {"lambda", o.lambda}, {"area_floor", o.area_floor}});
   }
+  p["position"] = job.options.get<std::string>("position");
   p.update({{"surface", job.request.is_patches ? "patches" : "hierarchical"},
             {"tolerance", job.request.average},
             {"max_tolerance", job.request.maximum},

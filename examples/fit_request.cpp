@@ -1,5 +1,6 @@
 #include "fit_request.h"
 
+#include "parts.h"
 #include "program_tools.h"
 
 #include <CGAL/Simple_manifolds/embedding/Fit_options.h>
@@ -61,6 +62,7 @@ Command_line fit_command_line()
               "weight of the thin plate energy against noise, from 0 to 1 (0; with --noise 0.003)");
   options.add("noise", po::value<double>()->default_value(0),
               "how far vertices are from where they should be, of the diagonal: tolerances are not below");
+  add_position_option(options);
   options.add("correct-parameters", po::bool_switch(),
               "move the vertices in the domain to where the surface is closest, and fit once more");
   options.add("samples", po::value<long>()->default_value(0), "write this many random points of the surface");
@@ -125,6 +127,7 @@ Fit_request fit_request(const Command_line& options)
                                     : Fit_request::Reshape::NEVER;
   if (r.reshape == Fit_request::Reshape::ALWAYS && options.has("corners"))
     throw Usage_error("--reshape always changes the vertices that --corners names");
+  position_frame(options); // which refuses other words
   const std::string effort = options.get<std::string>("fit-effort");
   options.require(effort == "fast" || effort == "compact", "fit-effort", "fast or compact");
   r.effort = effort == "fast" ? SM::Fit_effort::FAST : SM::Fit_effort::COMPACT;

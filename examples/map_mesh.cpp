@@ -81,7 +81,8 @@ int main(int argc, char** argv)
       "map_mesh INPUT -o OUT.ply [options], or map_mesh INPUT --inspect [--json]",
       "Maps a mesh (OFF, OBJ, PLY, STL, VTK, GIfTI, FreeSurfer, 3MF, COLLADA, with assimp glTF; closed,\n"
       "or a disk) one to one onto the unit sphere, the flat torus, a surface of\n"
-      "hyperbolic squares (genus 2 and more) or the unit square, and writes the map. Of several bodies each has its map: the "
+      "hyperbolic squares (genus 2 and more) or the unit square, and writes the map. Of several bodies each "
+      "has its map: the "
       "largest\n"
       "in OUT.ply, the others in OUT.2.ply, OUT.3.ply, ...\n"
       "Exit status: 0 success, 1 some bodies could not be mapped (the others are written), 2 usage, or the\n"
@@ -95,6 +96,7 @@ int main(int argc, char** argv)
                 "share of uniform area in the target areas, above 0, at most 1");
     options.add("effort", po::value<std::string>()->default_value("default"),
                 "how long the map is relaxed: fast, default, quality");
+    add_position_option(options);
     options.add("balance", po::bool_switch(), "give the charts equal numbers of vertices");
     options.add("refine", po::bool_switch(), "split edges so that every star lies in a chart");
     options.add("metrics", po::value<std::string>(), "also write figures to this JSON file");
@@ -107,6 +109,7 @@ int main(int argc, char** argv)
     const double area_floor = options.get<double>("area-floor");
     options.require(area_floor > 0 && area_floor <= 1, "area-floor", "above 0 and at most 1");
     options.require_choice("effort", {"fast", "default", "quality"});
+    position_frame(options); // which refuses other words
     const std::string effort = options.get<std::string>("effort");
     const bool is_amips = options.get<std::string>("energy") == "amips";
     if (options.has("report") && !has_report)
@@ -153,6 +156,7 @@ int main(int argc, char** argv)
                              {"lambda", lambda},
                              {"area_floor", area_floor},
                              {"effort", effort},
+                             {"position", options.get<std::string>("position")},
                              {"balance", options.get<bool>("balance")},
                              {"refine", options.get<bool>("refine")}};
     for (std::size_t k = 0; k < partitions.size(); ++k)

@@ -5,8 +5,8 @@
 
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/IO/read_landmarks.h>
+#include <CGAL/Simple_manifolds/correspondence/canonical_position.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
-#include <CGAL/Simple_manifolds/registration/canonical_position.h>
 #include <CGAL/Simple_manifolds/registration/common_mesh.h>
 #include <CGAL/Simple_manifolds/registration/correspondence_distortion.h>
 #include <CGAL/Simple_manifolds/registration/register_shapes.h>

@@ -21,6 +21,23 @@ std::size_t asked_parts(const Command_line& options)
   return std::stoul(which);
 }
 
+void add_position_option(Command_line& options)
+{
+  options.add(
+    "position", po::value<std::string>()->default_value("none"),
+    "how maps lie on sphere, torus or square: none (as the last digits of the mesh have it), shape\n"
+    "(by the shape's own axes of inertia and moments), space (the sphere by the axes of space)");
+}
+
+SM::Position_frame position_frame(const Command_line& options)
+{
+  options.require_choice("position", {"none", "shape", "space"});
+  const std::string position = options.get<std::string>("position");
+  return position == "shape"   ? SM::Position_frame::SHAPE
+         : position == "space" ? SM::Position_frame::SPACE
+                               : SM::Position_frame::NONE;
+}
+
 Parts map_parts(const Command_line& options, const Input& input, const SM::Map_options& map_options,
                 const std::vector<Mesh::Vertex_index>& corners, [[maybe_unused]] std::vector<Json>& how,
                 Progress& progress)
@@ -28,6 +45,7 @@ Parts map_parts(const Command_line& options, const Input& input, const SM::Map_o
   using Tag = CGAL::Parallel_if_available_tag;
   if (!is_paper(options))
     return SM::map_components<Tag>(input.mesh, SM::parameters::map_options(map_options)
+                                                 .position_frame(position_frame(options))
                                                  .close_borders(close_borders(options))
                                                  .corners(corners)
                                                  .max_components(asked_parts(options))

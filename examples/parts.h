@@ -25,7 +25,12 @@ using Parts = SM::Component_mesh_maps<Mesh>;
 /// \throw Usage_error
 std::size_t asked_parts(const Command_line& options);
 
-/// The maps of the bodies that are asked for, by the method that is asked for. `how` receives for each how the paper's
+/// The option --position: what says how maps lie.
+void add_position_option(Command_line& options);
+/// \throw Usage_error
+SM::Position_frame position_frame(const Command_line& options);
+
+/// The maps of the bodies that are asked for, as they are asked to lie, by the method that is asked for. `how` receives for each how the paper's
 /// method came to its map.
 Parts map_parts(const Command_line& options, const Input& input, const SM::Map_options& map_options,
                 const std::vector<Mesh::Vertex_index>& corners, std::vector<Json>& how, Progress& progress);

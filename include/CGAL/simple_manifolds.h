@@ -44,6 +44,7 @@
 #include <CGAL/Simple_manifolds/correspondence/Map_options.h>
 #include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
 #include <CGAL/Simple_manifolds/correspondence/balance.h>
+#include <CGAL/Simple_manifolds/correspondence/canonical_position.h>
 #include <CGAL/Simple_manifolds/correspondence/certify.h>
 #include <CGAL/Simple_manifolds/correspondence/criteria.h>
 #include <CGAL/Simple_manifolds/correspondence/distortion.h>
@@ -61,7 +62,6 @@
 
 #include <CGAL/Simple_manifolds/registration/Correspondence.h>
 #include <CGAL/Simple_manifolds/registration/Shape_set.h>
-#include <CGAL/Simple_manifolds/registration/canonical_position.h>
 #include <CGAL/Simple_manifolds/registration/common_mesh.h>
 #include <CGAL/Simple_manifolds/registration/common_refinement.h>
 #include <CGAL/Simple_manifolds/registration/correspondence_distortion.h>

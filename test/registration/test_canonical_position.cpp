@@ -1,15 +1,18 @@
 #include "blobs.h"
 #include "catch.h"
 
+#include <CGAL/Simple_manifolds/correspondence/canonical_position.h>
+#include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_plane.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_torus.h>
-#include <CGAL/Simple_manifolds/registration/canonical_position.h>
 #include <CGAL/Simple_manifolds/registration/shape_statistics.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+#include <variant>
 #include <vector>
 
 namespace test_canonical_position {
@@ -82,12 +85,56 @@ TEST_CASE("the sphere lies as the shape says: noise, motions, sizes and other tr
     turn(canonical(blob, Position_frame::SPACE), canonical(moved, Position_frame::SPACE), vertices(map));
   CHECK(spatial == Approx(1.1 * 180 / std::acos(-1.)).margin(2)); // it turns as the shape does
 
+  // The vertices in another order.
+  Blob renumbered = blob;
+  std::reverse(renumbered.points.begin(), renumbered.points.end());
+  for (auto& t : renumbered.faces)
+    for (int& v : t) v = static_cast<int>(blob.points.size()) - 1 - v;
+  std::vector<Map::Location> reversed = vertices(canonical(renumbered));
+  std::reverse(reversed.begin(), reversed.end());
+  CHECK(turn(map, canonical(renumbered), reversed) < 2);
+
   // Another triangulation of the same surface: both maps know where the same points are.
   const Blob other = blobs::blob(blobs::four_bumps(), 4, blobs::some_turn());
   const Map over(other.points, other.faces, other.sphere, other.points.size());
   std::vector<Map::Location> at;
   for (const Vector3d& p : blob.sphere) at.push_back(over.to_mesh(p));
   CHECK(turn(map, canonical(other), at) < 2);
+}
+
+TEST_CASE("maps lie as they are asked to, but for those whose landmarks or corners say more")
+{
+  const Blob blob = blobs::blob(blobs::four_bumps(), 3);
+  const Map free = map_to_sphere(blob.points, blob.faces), canonical_map = canonical_position(free);
+  const auto np = parameters::position_frame(Position_frame::SHAPE);
+  CHECK(free.domain_points() != canonical_map.domain_points());
+  CHECK(map_to_sphere(blob.points, blob.faces, np).domain_points() == canonical_map.domain_points());
+  const Any_map any = map_to_canonical_surface(blob.points, blob.faces, np);
+  CHECK(std::get<Map>(any).domain_points() == canonical_map.domain_points());
+  const auto in_space =
+    map_to_sphere(blob.points, blob.faces, parameters::position_frame(Position_frame::SPACE));
+  CHECK(in_space.domain_points() == canonical_position(free, Position_frame::SPACE).domain_points());
+  CHECK(canonical_position(free, Position_frame::NONE).domain_points() == free.domain_points());
+
+  const std::vector<Landmark<std::size_t, Vector3d>> landmarks = {{0, Vector3d(0, 0, 1)},
+                                                                  {9, Vector3d(0, 1, 0)}};
+  CHECK(map_to_sphere(blob.points, blob.faces, np.landmarks(landmarks)).domain_points() ==
+        map_to_sphere(blob.points, blob.faces, parameters::landmarks(landmarks)).domain_points());
+
+  std::vector<Vector3d> points;
+  std::vector<Triangle> faces;
+  for (int i = 0; i <= 6; ++i)
+    for (int j = 0; j <= 6; ++j) {
+      points.emplace_back(i + 0.05 * i * j, j, 0);
+      if (i < 6 && j < 6) {
+        faces.push_back({i * 7 + j, i * 7 + j + 7, i * 7 + j + 8});
+        faces.push_back({i * 7 + j, i * 7 + j + 8, i * 7 + j + 1});
+      }
+    }
+  const std::vector<std::size_t> corners = {42, 48, 6, 0};
+  const auto sheet = map_to_plane(points, faces, np.corners(corners));
+  CHECK(sheet.domain_point(42) == Vector2d(0, 0)); // not the corner that is farthest out
+  CHECK(map_to_plane(points, faces, np).domain_point(48) == Vector2d(0, 0));
 }
 
 TEST_CASE("symmetric shapes are said to be ambiguous")
@@ -104,38 +151,61 @@ TEST_CASE("symmetric shapes are said to be ambiguous")
   CHECK(is_ambiguous);
 }
 
-TEST_CASE("the torus is translated to where the shape says")
+namespace {
+
+// Thicker, and thinner, at some places; the first vertices are rows and columns further on.
+Manifold_map<Torus_atlas> torus(int rows, int columns, Position_frame frame = Position_frame::NONE)
 {
-  // thicker, and thinner, at some places
-  const auto torus = [](int n, int m, double from) {
-    std::vector<Vector3d> points;
-    std::vector<Triangle> faces;
-    const double pi = std::acos(-1.);
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < m; ++j) {
-        const double u = 2 * pi * i / n + from, v = 2 * pi * j / m - from;
-        const double r = 0.8 + 0.25 * std::cos(u) + 0.15 * std::sin(2 * u) + 0.1 * std::cos(u - v);
-        points.emplace_back((3 + r * std::cos(v)) * std::cos(u), (3 + r * std::cos(v)) * std::sin(u),
-                            r * std::sin(v));
-        const auto at = [&](int a, int b) { return (a % n) * m + b % m; };
-        faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-        faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-      }
-    return map_to_torus(points, faces);
-  };
-  bool is_ambiguous = true;
-  const auto a = canonical_position(torus(40, 20, 0), Position_frame::SHAPE, &is_ambiguous);
-  CHECK_FALSE(is_ambiguous);
-  const auto b = canonical_position(torus(40, 20, 2 * std::acos(-1.) / 20)); // two rows, one column on
-  CHECK(a.certificate().is_valid());
+  constexpr int n = 40, m = 20;
+  std::vector<Vector3d> points;
+  std::vector<Triangle> faces;
+  const double pi = std::acos(-1.);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < m; ++j) {
+      const double u = 2 * pi * (i + rows) / n, v = 2 * pi * (j + columns) / m;
+      const double r = 0.8 + 0.25 * std::cos(u) + 0.15 * std::sin(2 * u) + 0.1 * std::cos(u - v);
+      points.emplace_back((3 + r * std::cos(v)) * std::cos(u), (3 + r * std::cos(v)) * std::sin(u),
+                          r * std::sin(v));
+      const auto at = [&](int a, int b) { return (a % n) * m + b % m; };
+      faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  return map_to_torus(points, faces, parameters::position_frame(frame));
+}
+// How far the same places lie from one another on the torus; the vertices of b are rows and columns further on.
+double largest_distance(const Manifold_map<Torus_atlas>& a, const Manifold_map<Torus_atlas>& b, int rows,
+                        int columns)
+{
   double largest = 0;
   for (int i = 0; i < 40; ++i)
     for (int j = 0; j < 20; ++j) {
-      Vector2d d = a.domain_point(i * 20 + j) - b.domain_point((i + 38) % 40 * 20 + (j + 1) % 20);
+      Vector2d d = a.domain_point((i + rows) % 40 * 20 + (j + columns) % 20) - b.domain_point(i * 20 + j);
       for (int k = 0; k < 2; ++k) d[k] -= std::round(d[k]);
       largest = (std::max)(largest, d.norm());
     }
-  CHECK(largest < 0.02);
+  return largest;
+}
+
+} // namespace
+
+TEST_CASE("the torus lies as the shape says, wherever its map began")
+{
+  bool is_ambiguous = true;
+  const auto a = canonical_position(torus(0, 0), Position_frame::SHAPE, &is_ambiguous);
+  CHECK_FALSE(is_ambiguous);
+  CHECK(a.certificate().is_valid());
+  CHECK(largest_distance(a, torus(2, 19, Position_frame::SHAPE), 2, 19) < 0.02);
+
+  // other loops, turned half round, translated
+  const auto map = torus(0, 0);
+  for (const auto& [p, q, r, s] :
+       {std::array<int, 4>{0, -1, 1, 0}, std::array<int, 4>{1, 1, 0, 1}, std::array<int, 4>{-1, 0, 2, -1}}) {
+    std::vector<Vector2d> points = map.domain_points();
+    for (Vector2d& x : points)
+      x = map.atlas().canonical({p * x[0] + q * x[1] + 0.25, r * x[0] + s * x[1] - 0.375});
+    const Manifold_map<Torus_atlas> other(map.points(), map.faces(), points, map.number_of_vertices());
+    CHECK(largest_distance(a, canonical_position(other), 0, 0) < 1e-9);
+  }
 }
 
 TEST_CASE("the square is turned as the shape says: a corner that is far out is the origin")

@@ -32,7 +32,8 @@
   X(energy_lambda)       /* double: weight of area against angle in Energy::AMIPS */                         \
   X(area_floor)          /* double in (0,1]: share of uniform area in the target areas */                    \
   X(effort)              /* Effort: how long a map is relaxed */                                             \
-  X(map_options)         /* Map_options: the four above at once; each of them goes before it */              \
+  X(position_frame)      /* Position_frame: what says how a map lies on its canonical surface */             \
+  X(map_options)         /* Map_options: the five above at once; each of them goes before it */              \
   X(vertex_weight_map)   /* ReadablePropertyMap vertex -> double: relative area in the domain */             \
   X(projection_weights)  /* Projection_weights: of neighbours, in the paper's method */                      \
   X(partition_report)    /* std::reference_wrapper<Partition_report> */                                      \
@@ -59,9 +60,9 @@
   X(fairness)            /* double: weight of the thin plate energy */                                       \
   X(noise_level)         /* double: how far vertices are from where they should be, of the diagonal */       \
   X(fit_effort)          /* Fit_effort: how much a fit does for few controls */                              \
-  X(fitted_map)          /* std::reference_wrapper<std::optional<Map>>: another map that a surface suits */   \
+  X(fitted_map)          /* std::reference_wrapper<std::optional<Map>>: another map that a surface suits */  \
   X(fitted_maps)         /* std::reference_wrapper<std::vector<std::optional<Map>>>: one per component */    \
-  X(fit_target)          /* Fit_target: what a mesh says of the surface that is fitted to it */               \
+  X(fit_target)          /* Fit_target: what a mesh says of the surface that is fitted to it */              \
   X(crease_angle)        /* double in [0,180], degrees: edges that are sharper stay creases */               \
   X(vertex_weights)      /* Range of double: weights of the vertices of a map in a fit */                    \
   X(fit_report)          /* std::reference_wrapper<Fit_report> */                                            \
@@ -78,7 +79,7 @@
   X(edge_length)         /* double: longest edge of a tessellation, fraction of the diagonal */              \
   X(sizing)              /* model of TessellationSizing */                                                   \
   X(max_faces)           /* std::size_t: limit of the faces of a tessellation */                             \
-  X(cad_tolerance)       /* double: largest deviation of a CAD surface, fraction of the diagonal */           \
+  X(cad_tolerance)       /* double: largest deviation of a CAD surface, fraction of the diagonal */          \
   X(face_cost)           /* double: the controls that a face of a CAD surface is worth */                    \
   X(cad_report)          /* std::reference_wrapper<Cad_report> */                                            \
   X(tile_borders)        /* Tile_borders: where the tiles of the sphere meet */                              \

@@ -16,7 +16,7 @@
 
 // The named parameters that all maps have in common.
 #define CGAL_SIMPLE_MANIFOLDS_MAP_PARAMETERS                                                                 \
-  "close_borders, energy, energy_lambda, area_floor, effort, map_options, "                                  \
+  "close_borders, energy, energy_lambda, area_floor, effort, position_frame, map_options, "                  \
   "vertex_weight_map"
 
 namespace CGAL {
@@ -38,6 +38,15 @@ enum class Effort {
   FAST,    ///< half the sweeps
   DEFAULT, ///< the schedule that pays on real meshes
   QUALITY  ///< many more sweeps on coarse levels: long tails gain, for a tenth to half a second per mesh
+};
+
+/// \ingroup PkgSimpleManifoldsCorrespondence
+///
+/// What says how a map lies on its canonical surface, see `canonical_position()`.
+enum class Position_frame {
+  NONE, ///< nothing: it lies where it has come to. A mesh always gives the same; a change of its last digits can turn it
+  SHAPE, ///< the shape's own axes of inertia: the same however the shape is moved
+  SPACE  ///< the axes of space: for shapes that are aligned already
 };
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
@@ -74,6 +83,9 @@ struct Map_options {
   /// (`area_floor`) Share of uniform area in the target areas, in (0,1]: faces without area need some.
   double area_floor = 0.05;
   Effort effort = Effort::DEFAULT; ///< (`effort`)
+  /// (`position_frame`) Where landmarks, or the corners of the square, are given, they say how the map lies, not this;
+  /// it is of no effect for genus 2 and more.
+  Position_frame position = Position_frame::NONE;
 };
 
 /// \ingroup PkgSimpleManifoldsCorrespondence
@@ -101,6 +113,7 @@ Map_options map_options(const NamedParameters& np, const Map_options& otherwise 
   o.lambda = parameter(np, internal_np::energy_lambda, o.lambda);
   o.area_floor = parameter(np, internal_np::area_floor, o.area_floor);
   o.effort = parameter(np, internal_np::effort, o.effort);
+  o.position = parameter(np, internal_np::position_frame, o.position);
   CGAL_precondition(o.lambda > 0);
   CGAL_precondition(o.area_floor > 0 && o.area_floor <= 1);
   return o;

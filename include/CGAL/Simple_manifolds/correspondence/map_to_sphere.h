@@ -85,7 +85,10 @@ Manifold_map<Sphere_atlas> map_to(Canonical_surfaces::Type<Sphere_atlas>, const 
 ///     \cgalParamType{`double` in (0,1]} \cgalParamDefault{0.05} \cgalParamNEnd
 ///   \cgalParamNBegin{effort} \cgalParamDescription{how long the map is relaxed} \cgalParamType{`Effort`}
 ///     \cgalParamDefault{`Effort::DEFAULT`} \cgalParamNEnd
-///   \cgalParamNBegin{map_options} \cgalParamDescription{the four before at once; each of them that is
+///   \cgalParamNBegin{position_frame} \cgalParamDescription{what says how the map lies, see
+///     `canonical_position()`; of no effect with landmarks} \cgalParamType{`Position_frame`}
+///     \cgalParamDefault{`Position_frame::NONE`} \cgalParamNEnd
+///   \cgalParamNBegin{map_options} \cgalParamDescription{the five before at once; each of them that is
 ///     given, too, goes before it} \cgalParamType{`Map_options`} \cgalParamDefault{`Map_options()`}
 ///     \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_weight_map} \cgalParamDescription{relative area wanted in the domain: a face

@@ -10,6 +10,7 @@
 
 #include <CGAL/Simple_manifolds/correspondence/internal/engine/Collapse_hierarchy.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Torus_geometry.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/reduced_basis.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -24,26 +25,6 @@
 namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
-
-// The matrix of determinant 1 whose columns are a basis of the integer vectors that is reduced in the metric (Lagrange).
-inline Eigen::Matrix2i reduced_basis(const Eigen::Matrix2d& metric)
-{
-  Eigen::Matrix2i basis = Eigen::Matrix2i::Identity();
-  for (int i = 0; i < 100; ++i) {
-    const Eigen::Matrix2d g = basis.cast<double>().transpose() * metric * basis.cast<double>();
-    const int k = static_cast<int>(std::lround(g(0, 1) / g(0, 0)));
-    if (k != 0)
-      basis.col(1) -= k * basis.col(0);
-    else if (g(1, 1) < g(0, 0)) {
-      const Eigen::Vector2i old = basis.col(0);
-      basis.col(0) = basis.col(1);
-      basis.col(1) = -old;
-    } else {
-      break;
-    }
-  }
-  return basis;
-}
 
 // The eight linear maps from one flat torus to another one with the least distortion, one of each pair of opposite
 // ones, the best first.

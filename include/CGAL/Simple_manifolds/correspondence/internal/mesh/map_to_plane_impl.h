@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MAP_TO_PLANE_IMPL_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MAP_TO_PLANE_IMPL_H
 
+#include <CGAL/Simple_manifolds/correspondence/canonical_position.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Plane_border.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Plane_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/certified_map.h>
@@ -38,7 +39,7 @@ Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
   const auto [points, triangles] = std::move(disk).closed();
   Layout_problem<Eigen::Vector2d> problem{points, triangles, n, std::move(a.vertex_weight), landmarks};
   if (!problem.vertex_weight.empty()) problem.vertex_weight.resize(n + 1, 1.);
-  return certified_map<Plane_atlas>(
+  auto map = certified_map<Plane_atlas>(
     problem, request,
     [&](const std::vector<int>& order) {
       std::vector<unsigned char> sides(order.size(), 0);
@@ -61,6 +62,10 @@ Manifold_map<Plane_atlas> map_to_plane(Mesh_arrays a,
                                        {triangles.begin(), triangles.begin() + m}, std::move(domain_points),
                                        a.number_of_input_vertices, a.number_of_virtual_faces, input);
     });
+  const Position_frame position = request.options.position;
+  if (position == Position_frame::NONE || !landmarks.empty() || !corners.empty())
+    return map; // these say how it lies
+  return canonical_position(map, position);
 }
 
 #ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED

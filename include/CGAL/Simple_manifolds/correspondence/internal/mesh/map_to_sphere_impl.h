@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MAP_TO_SPHERE_IMPL_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MAP_TO_SPHERE_IMPL_H
 
+#include <CGAL/Simple_manifolds/correspondence/canonical_position.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Sphere_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/certified_map.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
@@ -30,7 +31,7 @@ Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
   require_closed_genus(a.topology, Sphere_atlas::genus());
   const int n = static_cast<int>(a.points.size());
   const Layout_problem<Eigen::Vector3d> problem{a.points, a.triangles, -1, a.vertex_weight, landmarks};
-  return certified_map<Sphere_atlas>(
+  auto map = certified_map<Sphere_atlas>(
     problem, request, [n](const std::vector<int>&) { return Geometry(n); },
     [&](const Collapse_hierarchy&, const Geometry& geometry, const auto& number) {
       std::vector<Eigen::Vector3d> domain_points(n);
@@ -41,6 +42,9 @@ Manifold_map<Sphere_atlas> map_to_sphere(const Mesh_arrays& a,
       return Manifold_map<Sphere_atlas>(a.points, a.triangles, std::move(domain_points),
                                         a.number_of_input_vertices, a.number_of_virtual_faces, a.input);
     });
+  const Position_frame position = request.options.position;
+  if (position == Position_frame::NONE || !landmarks.empty()) return map; // these say how it lies
+  return canonical_position(map, position);
 }
 
 #ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED

@@ -8,6 +8,7 @@
 #ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MAP_TO_TORUS_IMPL_H
 #define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_INTERNAL_MESH_MAP_TO_TORUS_IMPL_H
 
+#include <CGAL/Simple_manifolds/correspondence/canonical_position.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Torus_geometry.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/certified_map.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/lifted_faces.h>
@@ -37,7 +38,7 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a,
   require_closed_genus(a.topology, Torus_atlas::genus());
   const int n = static_cast<int>(a.points.size()), m = static_cast<int>(a.triangles.size());
   const Layout_problem<Eigen::Vector2d> problem{a.points, a.triangles, -1, a.vertex_weight, landmarks};
-  return certified_map<Torus_atlas>(
+  auto map = certified_map<Torus_atlas>(
     problem, request, [n, m](const std::vector<int>&) { return Geometry(n, m); },
     [&](const Collapse_hierarchy& mesh, Geometry& geometry, const auto& number) {
       geometry.wrap(mesh);
@@ -61,6 +62,9 @@ Manifold_map<Torus_atlas> map_to_torus(const Mesh_arrays& a,
                                        a.number_of_input_vertices, number_of_virtual_faces,
                                        a.input.of_parts(std::move(parents)));
     });
+  const Position_frame position = request.options.position;
+  if (position == Position_frame::NONE || !landmarks.empty()) return map; // these say how it lies
+  return canonical_position(map, position);
 }
 
 #ifdef CGAL_SIMPLE_MANIFOLDS_COMPILED

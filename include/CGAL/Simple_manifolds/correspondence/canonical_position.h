@@ -5,16 +5,18 @@
 //
 // Author(s)     : The Simple_manifolds authors
 
-#ifndef CGAL_SIMPLE_MANIFOLDS_REGISTRATION_CANONICAL_POSITION_H
-#define CGAL_SIMPLE_MANIFOLDS_REGISTRATION_CANONICAL_POSITION_H
+#ifndef CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_CANONICAL_POSITION_H
+#define CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_CANONICAL_POSITION_H
 
 #include <CGAL/Simple_manifolds/Triangle.h>
 #include <CGAL/Simple_manifolds/atlas/Plane_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Sphere_atlas.h>
 #include <CGAL/Simple_manifolds/atlas/Torus_atlas.h>
 #include <CGAL/Simple_manifolds/correspondence/Manifold_map.h>
+#include <CGAL/Simple_manifolds/correspondence/Map_options.h>
 #include <CGAL/Simple_manifolds/correspondence/Mesh_map.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/geometry/Star_repair.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/geometry/reduced_basis.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/Splittable_mesh.h>
 #include <CGAL/Simple_manifolds/internal/bounding_cube.h>
 
@@ -35,14 +37,6 @@
 
 namespace CGAL {
 namespace Simple_manifolds {
-
-/// \ingroup PkgSimpleManifoldsRegistration
-///
-/// What says how a map lies on its canonical surface.
-enum class Position_frame {
-  SHAPE, ///< the shape's own axes of inertia: the same however the shape is moved
-  SPACE  ///< the axes of space: for shapes that are aligned already
-};
 
 namespace internal {
 
@@ -144,14 +138,71 @@ std::vector<Eigen::Vector3d> canonical_points(const Manifold_map<Sphere_atlas>& 
   return points;
 }
 
-// The translation that makes the first Fourier coefficients of the squared distance from the centroid real and
-// positive; of the two half turns that are left the one with the greater sine part of the next ones. The marking is that of
-// the map, whose loops are reduced. Frames do not matter.
+// The loops of a map to the torus that are shortest on its surface: the columns are integer vectors of determinant 1, a
+// basis that is reduced in the mean metric of the surface. The identity where an edge would be too long in that basis.
+template <class Map>
+Eigen::Matrix2i shortest_loops(const Map& map, bool& is_ambiguous)
+{
+  const Shape_moments moments(map);
+  const double scale = moments.area > 0 ? unit_scale(map.points()) / std::sqrt(moments.area) : 0;
+  const auto edge = [&](int v, int w) { // it is shorter than half a turn
+    Eigen::Vector2d d = map.domain_point(w) - map.domain_point(v);
+    for (int k = 0; k < 2; ++k) d[k] -= std::round(d[k]);
+    return d;
+  };
+  Eigen::Matrix2d metric = Eigen::Matrix2d::Zero();
+  for (std::size_t f = 0; f + map.number_of_virtual_faces() < map.number_of_faces(); ++f) {
+    const Triangle& t = map.face(f);
+    Eigen::Matrix2d in_domain;
+    in_domain << edge(t[0], t[1]), edge(t[0], t[2]);
+    Eigen::Matrix<double, 3, 2> in_space;
+    in_space << scale * (map.point(t[1]) - map.point(t[0])), scale * (map.point(t[2]) - map.point(t[0]));
+    const double area = in_domain(0, 0) * in_domain(1, 1) - in_domain(0, 1) * in_domain(1, 0);
+    Eigen::Matrix2d adjugate;
+    adjugate << in_domain(1, 1), -in_domain(0, 1), -in_domain(1, 0), in_domain(0, 0);
+    const Eigen::Matrix<double, 3, 2> J = in_space * (adjugate / area);
+    const Eigen::Matrix2d m = J.transpose() * J;
+    if (m.allFinite()) metric += area / (1 + m.trace()) * m; // faces with next to no area there say little
+  }
+  if (!(metric(0, 0) * metric(1, 1) > metric(0, 1) * metric(0, 1))) {
+    is_ambiguous = true;
+    return Eigen::Matrix2i::Identity();
+  }
+  const Eigen::Matrix2i basis = reduced_basis(metric);
+  const Eigen::Matrix2d g = basis.cast<double>().transpose() * metric * basis.cast<double>();
+  if (!(g(1, 1) > 1.05 * g(0, 0) && std::abs(g(0, 1)) < 0.475 * g(0, 0))) is_ambiguous = true;
+  Eigen::Matrix2d to_basis; // its inverse
+  to_basis << basis(1, 1), -basis(0, 1), -basis(1, 0), basis(0, 0);
+  for (const Triangle& t : map.faces())
+    for (int k = 0; k < 3; ++k)
+      if (!((to_basis * edge(t[k], t[(k + 1) % 3])).cwiseAbs().maxCoeff() < 0.5))
+        return Eigen::Matrix2i::Identity();
+  return basis;
+}
+
+// The coordinates along the shortest loops, with the translation that makes the first Fourier coefficients of the squared
+// distance from the centroid real and positive; of the two half turns that are left the one with the greater sine part of
+// the next ones. Frames do not matter.
 template <class Scalar = double>
 std::vector<Eigen::Vector2d> canonical_points(const Manifold_map<Torus_atlas>& map, Position_frame,
                                               bool& is_ambiguous)
 {
   using Complex = std::complex<Scalar>;
+  const Eigen::Matrix2i basis = shortest_loops(map, is_ambiguous);
+  std::vector<Eigen::Vector2d> points = map.domain_points();
+  // on the grid of 2^-50, on which differences are exact
+  const auto wrapped = [](const Eigen::Vector2d& x) {
+    Eigen::Vector2d p;
+    for (int k = 0; k < 2; ++k) {
+      const double on_grid = std::ldexp(std::round(std::ldexp(x[k], 50)), -50);
+      p[k] = on_grid - std::floor(on_grid);
+      if (!(p[k] < 1)) p[k] = 0;
+    }
+    return p;
+  };
+  for (Eigen::Vector2d& p : points)
+    p = wrapped(
+      {basis(1, 1) * p[0] - basis(0, 1) * p[1], basis(0, 0) * p[1] - basis(1, 0) * p[0]}); // the inverse
   const Shape_moments moments(map);
   const Scalar turn = 2 * std::acos(Scalar(-1));
   constexpr std::array<std::array<int, 2>, 5> waves = {{{1, 0}, {0, 1}, {2, 0}, {0, 2}, {1, 1}}};
@@ -159,8 +210,7 @@ std::vector<Eigen::Vector2d> canonical_points(const Manifold_map<Torus_atlas>& m
   Scalar size = 0;
   Shape_moments::for_each_point(
     map, [&](const Triangle& t, const Eigen::Vector3d& b, const Eigen::Vector3d& x, double w) {
-      const Eigen::Vector2d p =
-        map.atlas().interpolate(map.domain_point(t[0]), map.domain_point(t[1]), map.domain_point(t[2]), b);
+      const Eigen::Vector2d p = map.atlas().interpolate(points[t[0]], points[t[1]], points[t[2]], b);
       const Scalar h = w * ((x - moments.centroid).squaredNorm());
       size += h;
       for (std::size_t k = 0; k < waves.size(); ++k)
@@ -172,16 +222,7 @@ std::vector<Eigen::Vector2d> canonical_points(const Manifold_map<Torus_atlas>& m
   for (std::size_t k = 2; k < waves.size(); ++k)
     odd += (c[k] * std::polar(Scalar(1), -turn * (waves[k][0] * shift[0] + waves[k][1] * shift[1]))).imag();
   if (!(std::abs(odd) > 0.002 * size)) is_ambiguous = true;
-  std::vector<Eigen::Vector2d> points = map.domain_points();
-  for (Eigen::Vector2d& p : points) {
-    // on the grid of 2^-50, on which differences are exact
-    const Eigen::Vector2d moved = (odd < 0 ? -1 : 1) * (p + shift);
-    for (int k = 0; k < 2; ++k) {
-      const double on_grid = std::ldexp(std::round(std::ldexp(moved[k], 50)), -50);
-      p[k] = on_grid - std::floor(on_grid);
-      if (!(p[k] < 1)) p[k] = 0;
-    }
-  }
+  for (Eigen::Vector2d& p : points) p = wrapped((odd < 0 ? -1 : 1) * (p + shift));
   return points;
 }
 
@@ -222,16 +263,16 @@ std::vector<Eigen::Vector2d> canonical_points(const Manifold_map<Plane_atlas>& m
 
 } // namespace internal
 
-/// \ingroup PkgSimpleManifoldsRegistration
+/// \ingroup PkgSimpleManifoldsCorrespondence
 ///
 /// Turns a map on its canonical surface so that it lies there as the shape itself says: two maps of one shape,
 /// whatever its position, size, triangulation and numbers, then agree, up to the resolution of the meshes. Where a map
 /// comes to lie otherwise is an accident of its making: a change of the last digits can turn the sphere.
 ///
 /// The sphere is rotated so that the domain points lie as the points of the shape do from its centroid; along the
-/// axes of inertia, longest first, with signs by the third moments, or along the axes of space. The torus is
-/// translated, by the first Fourier coefficients of the distance from the centroid, and turned half round where that
-/// is needed. The square is turned by right angles, so that the corner whose neighbourhood is farthest from the centroid
+/// axes of inertia, longest first, with signs by the third moments, or along the axes of space. The torus gets coordinates
+/// along its shortest loops, is translated, by the first Fourier coefficients of the distance from the centroid, and turned
+/// half round where that is needed. The square is turned by right angles, so that the corner whose neighbourhood is farthest from the centroid
 /// becomes the origin. The map is else the same, but for rounding, and certified anew.
 ///
 /// \tparam Atlas  `Sphere_atlas`, `Torus_atlas` or `Plane_atlas`
@@ -245,6 +286,10 @@ Manifold_map<Atlas> canonical_position(const Manifold_map<Atlas>& map,
                                        bool* is_ambiguous = nullptr)
 {
   bool is_symmetric = false;
+  if (frame == Position_frame::NONE) {
+    if (is_ambiguous) *is_ambiguous = false;
+    return map;
+  }
   std::vector<typename Atlas::Domain_point> points = internal::canonical_points<>(map, frame, is_symmetric);
   if (is_ambiguous) *is_ambiguous = is_symmetric;
   const internal::Splittable_mesh mesh(static_cast<int>(map.number_of_vertices()), map.faces());
@@ -253,7 +298,7 @@ Manifold_map<Atlas> canonical_position(const Manifold_map<Atlas>& map,
                              map.number_of_virtual_faces(), map.input_indices(), map.atlas());
 }
 
-/// \ingroup PkgSimpleManifoldsRegistration
+/// \ingroup PkgSimpleManifoldsCorrespondence
 /// The same of the map of a mesh.
 template <class FaceListGraph, class Atlas>
 Mesh_map<FaceListGraph, Atlas> canonical_position(const Mesh_map<FaceListGraph, Atlas>& map,
@@ -266,4 +311,4 @@ Mesh_map<FaceListGraph, Atlas> canonical_position(const Mesh_map<FaceListGraph, 
 } // namespace Simple_manifolds
 } // namespace CGAL
 
-#endif // CGAL_SIMPLE_MANIFOLDS_REGISTRATION_CANONICAL_POSITION_H
+#endif // CGAL_SIMPLE_MANIFOLDS_CORRESPONDENCE_CANONICAL_POSITION_H
