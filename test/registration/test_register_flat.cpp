@@ -6,6 +6,7 @@
 #include <CGAL/Simple_manifolds/registration/Correspondence.h>
 #include <CGAL/Simple_manifolds/registration/correspondence_distortion.h>
 #include <CGAL/Simple_manifolds/registration/register_maps.h>
+#include <CGAL/Simple_manifolds/registration/register_shapes.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -14,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -132,7 +134,43 @@ Registration_report check_identity(const Manifold_map<Atlas>& a, const Manifold_
   return report;
 }
 
+// Three shapes over one domain; rows: landmarks.
+template <class Atlas>
+void check_set(const std::vector<Manifold_map<Atlas>>& maps, const std::vector<std::vector<int>>& rows)
+{
+  std::vector<std::shared_ptr<const Manifold_map<Atlas>>> shared;
+  for (const auto& map : maps) shared.push_back(std::make_shared<const Manifold_map<Atlas>>(map));
+  const Shape_set<Atlas> set = register_shapes(
+    shared,
+    parameters::landmark_rows(rows).template_shape(std::size_t(1)).mean_iterations(1).effort(Effort::FAST));
+  REQUIRE(set.size() == maps.size());
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    CHECK(set.map(i).certificate().is_valid());
+    CHECK(set.map(i).points() == maps[i].points());
+    CHECK(distortion(set.correspondence(i, (i + 1) % set.size()), 5000).median < 1.3);
+    for (const auto& row : rows) CHECK(set.map(i).domain_point(row[i]) == set.map(0).domain_point(row[0]));
+  }
+  // From each to the next one and on to the first one is the identity.
+  const auto round =
+    compose(compose(set.correspondence(0, 1), set.correspondence(1, 2)), set.correspondence(2, 0));
+  for (std::size_t v = 0; v < set.map(0).number_of_vertices(); v += 7)
+    CHECK((round.position(v) - set.map(0).point(v)).norm() < 1e-9 * set.map(0).diagonal());
+}
+
 } // namespace
+
+TEST_CASE("several tori, and several sheets, are registered over one domain")
+{
+  std::vector<Manifold_map<Torus_atlas>> tori;
+  for (const double fat : {1., 0.85, 0.7}) tori.push_back(map_of_torus(torus(24, 12, 0, fat)));
+  check_set(tori, {{0, 0, 0}, {150, 150, 150}});
+  check_set(tori, {});
+
+  std::vector<Manifold_map<Plane_atlas>> sheets;
+  for (const double height : {0.4, 0.3, 0.2})
+    sheets.push_back(map_of_sheet(sheet(18, 12, height < 0.35, height)));
+  check_set(sheets, {{5 * 13 + 7, 5 * 13 + 7, 5 * 13 + 7}, {0, 0, 0}});
+}
 
 TEST_CASE("one torus, moved, scaled, triangulated and numbered in another way, is registered by the identity")
 {

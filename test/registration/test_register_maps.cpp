@@ -3,6 +3,7 @@
 #include "catch.h"
 
 #include <CGAL/Simple_manifolds/correspondence/map_to_sphere.h>
+#include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
 #include <CGAL/Simple_manifolds/registration/Correspondence.h>
 #include <CGAL/Simple_manifolds/registration/correspondence_distortion.h>
 #include <CGAL/Simple_manifolds/registration/register_maps.h>
@@ -56,6 +57,35 @@ bool are_met(const Correspondence<Sphere_atlas>& c, const Pairs& pairs)
     return c.source().domain_point(l.source) == c.target().domain_point(l.target);
   });
 }
+
+// What a visitor may rely on: phases that do not nest and end, progress that does not fall back.
+struct Watch : Default_visitor {
+  std::vector<std::string> phases;
+  bool is_running = false, is_right = true;
+  double done = 0;
+  int calls = 0; // of progress, in the longest phase
+  int most_calls = 0;
+
+  void start_phase(const char* name)
+  {
+    is_right = is_right && !is_running;
+    is_running = true;
+    phases.emplace_back(name);
+    done = 0;
+    calls = 0;
+  }
+  void progress(double fraction)
+  {
+    is_right = is_right && is_running && fraction >= done && fraction <= 1;
+    done = fraction;
+    most_calls = (std::max)(most_calls, ++calls);
+  }
+  void end_phase()
+  {
+    is_right = is_right && is_running;
+    is_running = false;
+  }
+};
 
 struct Cancel : Default_visitor {
   double at = 0.5;
@@ -147,6 +177,32 @@ TEST_CASE("what is registered already stays: no result is worse than the given m
   CHECK(e.mean_on_target <= d.mean_on_target);
   CHECK(e.median <= d.median);
   CHECK(e.p95 <= d.p95);
+}
+
+TEST_CASE("visitors see phases that end, and progress that does not fall back")
+{
+  const Map source = map_of(blobs::blob(blobs::four_bumps(), 3)),
+            target = map_of(blobs::blob(other_bumps(), 3, blobs::some_turn()));
+  for (const Effort effort : {Effort::FAST, Effort::DEFAULT, Effort::QUALITY}) {
+    Watch watch;
+    register_maps(source, target, parameters::effort(effort).visitor(std::ref(watch)));
+    CHECK(watch.is_right);
+    CHECK_FALSE(watch.is_running);
+    REQUIRE(watch.phases.size() >= 3);
+    CHECK(watch.phases[0] == "register");
+    CHECK(watch.phases[1] == "polish");
+    CHECK(watch.phases[2] == "certify");
+    CHECK(watch.most_calls > 100);
+  }
+  // a phase that fails for want of precision ends, too; one that is cancelled does not
+  Watch watch;
+  const internal::Visitor_reference visitor(watch);
+  CHECK_THROWS_AS(
+    internal::in_phase(visitor, "certify", [] { throw Numeric_error(Error_code::numeric_failure, "here"); }),
+    Numeric_error);
+  CHECK_FALSE(watch.is_running);
+  CHECK_THROWS_AS(internal::in_phase(visitor, "certify", [] { throw std::string("enough"); }), std::string);
+  CHECK(watch.is_running);
 }
 
 TEST_CASE("landmarks that cannot be met are an error, never nearly met")

@@ -10,6 +10,8 @@
 
 #include <CGAL/Simple_manifolds/Visitor.h>
 
+#include <CGAL/Simple_manifolds/Error.h>
+
 namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
@@ -44,6 +46,20 @@ private:
   void (*progress_)(void*, double);
   void (*end_phase_)(void*);
 };
+
+// Runs a phase, which ends where double precision does not suffice, too: that is not the end of all.
+template <class F>
+void in_phase(const Visitor_reference& visitor, const char* name, const F& f)
+{
+  visitor.start_phase(name);
+  try {
+    f();
+  } catch (const Numeric_error&) {
+    visitor.end_phase();
+    throw;
+  }
+  visitor.end_phase();
+}
 
 } // namespace internal
 } // namespace Simple_manifolds

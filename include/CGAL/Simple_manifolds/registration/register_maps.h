@@ -61,13 +61,14 @@ enum class Kept_registration {
 struct Registration_report {
   std::size_t landmarks = 0; ///< different pairs, all of which are met exactly
   /// The number of vertices of the level on which all landmarks were met: the fewer, the simpler the way there.
+  /// 0 without landmarks, or where given maps were kept, which meet them.
   std::size_t exact_at = 0;
   /// For each rotation of the sphere (marking and translation of the torus, turn of the square) that was tried to the
-  /// end: the mean logarithm of its distortion on the coarse level, 0 for an isometry. Several that are nearly the
+  /// end in the direction that was kept: the mean logarithm of its distortion on the coarse level, 0 for an isometry. Several that are nearly the
   /// least say that a shape is nearly symmetric. Empty on the sphere with more than 6 landmarks.
   std::vector<double> rotations;
-  /// The mean symmetric Dirichlet density (1 for an isometry) on both shapes: of the first layout, and after each step
-  /// that made it less.
+  /// The mean symmetric Dirichlet density (1 for an isometry) on both shapes, of what was kept: as it was laid out, or
+  /// given, and after each step of polishing that made it less. So the last one is the least.
   std::vector<double> energies;
   bool is_backwards = false; ///< the target was laid out against the source: that left less distortion
   /// What was kept. Nothing else but a search, if it is nowhere worse than the given maps.
@@ -140,8 +141,9 @@ int position_in(const Mesh_map<FaceListGraph, Atlas>& map,
 /// \param target  the map of the other shape
 /// \param np  named parameters:
 ///   - `landmark_pairs`  a range of `Landmark_pair`; default none
-///   - `effort`  an `Effort`; FAST takes half the sweeps and one start in each direction, QUALITY twice as many sweeps
-///     and up to four starts where two are not enough
+///   - `effort`  an `Effort`; default DEFAULT: up to two starts in each direction, until one leaves little distortion; FAST
+///     takes half the sweeps, one start in each direction, and does not lay out again what a start has found; QUALITY takes
+///     twice as many sweeps, up to four starts in each direction and more passes of polishing
 ///   - `fix_target`  `bool`: whether the domain points of the target stay, so that several shapes can be registered to
 ///     one; default `false`: they take part in the last passes
 ///   - `registration_report`  `std::ref` of a `Registration_report`, which is overwritten

@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_REGISTRATION_REGISTER_MAPS_IMPL_H
 
 #include <CGAL/Simple_manifolds/Error.h>
+#include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
 #include <CGAL/Simple_manifolds/internal/compiled.h>
 #include <CGAL/Simple_manifolds/registration/correspondence_distortion.h>
 #include <CGAL/Simple_manifolds/registration/internal/Registration_contest.h>
@@ -137,11 +138,8 @@ Correspondence<Atlas> registered(const Manifold_map<Atlas>& source, const Manifo
   for (int attempt = 0; attempt < number_of_attempts; ++attempt) {
     report = Registration_report();
     report.landmarks = request.landmarks.size();
-    bool has_failed = false;
-    request.visitor.start_phase("register");
     Registration_contest<Geometry> contest(a, b, request, options);
-    contest.run();
-    request.visitor.end_phase();
+    in_phase(request.visitor, "register", [&] { contest.run(); });
     const auto given = best_composition(source, target, contest.aligned_points(), request.landmarks);
     if (!contest.best() && !contest.unreached().empty() && !given) {
       std::vector<std::pair<int, int>> bad;
@@ -149,45 +147,42 @@ Correspondence<Atlas> registered(const Manifold_map<Atlas>& source, const Manifo
       throw_landmarks_not_met(bad, request.landmarks.size(),
                               "cannot be met with the connectivity of the first shape");
     }
+    // What the contest has improved, if it is good enough.
     const auto result = [&](bool is_backwards) {
       report.energies = contest.energies();
-      return certified(source, target, contest.improved_source().domain_points,
-                       contest.improved_target().domain_points, request.landmarks, is_backwards);
+      std::optional<Correspondence<Atlas>> c;
+      in_phase(request.visitor, "certify", [&] {
+        c = certified(source, target, contest.improved_source().domain_points,
+                      contest.improved_target().domain_points, request.landmarks, is_backwards);
+        if (given && !is_nowhere_worse(distortion(*c), given->distortion)) c.reset();
+      });
+      return c;
     };
-    const auto is_good = [&](const Correspondence<Atlas>& c) {
-      return !given || is_nowhere_worse(distortion(c), given->distortion);
-    };
-    try {
-      if (contest.best()) {
-        request.visitor.start_phase("polish");
-        contest.improve();
-        request.visitor.end_phase();
-        request.visitor.start_phase("certify");
-        const Correspondence<Atlas> c = result(contest.best()->is_backwards);
-        const bool is_kept = is_good(c);
-        request.visitor.end_phase();
-        report.exact_at = contest.best()->exact_at;
-        report.rotations = contest.best()->rotations;
-        report.is_backwards = contest.best()->is_backwards;
-        if (is_kept) return c;
+    bool has_failed = false; // begin anew with a better conditioned energy
+    if (contest.best()) {
+      report.exact_at = contest.best()->exact_at;
+      report.rotations = contest.best()->rotations;
+      report.is_backwards = contest.best()->is_backwards;
+      try {
+        in_phase(request.visitor, "polish", [&] { contest.improve(); });
+        if (auto c = result(report.is_backwards)) return std::move(*c);
+      } catch (const Numeric_error& e) {
+        fault = std::string("; the last attempt: ") + e.what();
+        has_failed = true;
       }
-      if (given) {
-        report.is_backwards = false;
-        report.kept = Kept_registration::GIVEN_MAPS_IMPROVED;
-        request.visitor.start_phase("polish");
-        contest.improve(given->maps.source().domain_points());
-        request.visitor.end_phase();
-        const Correspondence<Atlas> c = result(false);
-        if (report.energies.size() > 1 && is_good(c)) return c;
-      }
-    } catch (const Numeric_error& e) { // begin anew with a better conditioned energy
-      fault = std::string("; the last attempt: ") + e.what();
-      has_failed = true;
     }
     if (given && (!has_failed || attempt + 1 == number_of_attempts)) {
-      report.kept = Kept_registration::GIVEN_MAPS;
+      report.exact_at = 0;
       report.is_backwards = false;
-      report.energies.resize(1);
+      try {
+        report.kept = Kept_registration::GIVEN_MAPS_IMPROVED;
+        in_phase(request.visitor, "polish", [&] { contest.improve(given->maps.source().domain_points()); });
+        if (contest.energies().size() > 1)
+          if (auto c = result(false)) return std::move(*c);
+      } catch (const Numeric_error&) { // what could be better is no map
+      }
+      report.kept = Kept_registration::GIVEN_MAPS;
+      report.energies.assign(1, contest.energies().front());
       return given->maps;
     }
     options.area_floor = attempt == 0 ? 0.5 : 1;
@@ -214,8 +209,11 @@ std::shared_ptr<const Manifold_map<Atlas>> polished(const std::shared_ptr<const 
   options.is_parallel = request.is_parallel;
   request.visitor.start_phase("polish");
   Registration_polish<Geometry> polish(a, frozen, options);
-  const double before = polish.run(a, lift, 0);
-  const double after = polish.run(a, lift, request.effort == Effort::FAST ? 3 : 6);
+  const double before = polish.energy(a, lift);
+  const int sweeps = request.effort == Effort::FAST ? 3 : 6;
+  int done = 0;
+  const double after =
+    polish.run(a, lift, sweeps, 0, [&] { request.visitor.progress(++done / double(sweeps)); });
   request.visitor.end_phase();
   if (!(after < before)) return map;
   try {

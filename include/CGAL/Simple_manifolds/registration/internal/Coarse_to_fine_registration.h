@@ -109,7 +109,7 @@ public:
       if (is_exact_) layout_.set_stage(Stage::CHORDAL);
       if (!layout_.place(first)) return std::nullopt;
       sweep_level(progress);
-      if (!is_exact_) reach_landmarks(is_finest());
+      if (!is_exact_) reach_landmarks(is_finest() ? 600 : 200, [&] { progress(0.2); });
     }
     course.unreached = unreached();
     geometry_.start_level(levels_.mesh); // on the torus it takes the copies that are domain points
@@ -137,8 +137,11 @@ private:
   void sweep_level(const Progress& progress)
   {
     const double n = layout_.number_of_vertices(), N = levels_.mesh.number_of_vertices();
-    progress(0.2 + 0.8 * n / N);
-    layout_.sweep(sweeps(is_finest() ? 8. : (std::min)(100., (std::max)(4 * std::sqrt(N / n), 3e4 / n))));
+    const double times = is_finest() ? 8. : (std::min)(100., (std::max)(4 * std::sqrt(N / n), 3e4 / n));
+    for (int i = sweeps(times); i > 0; --i) {
+      progress(0.2 + 0.8 * n / N);
+      layout_.sweep(1);
+    }
   }
   int sweeps(double n) const { return (std::max)(1, static_cast<int>(std::lround(n * options_.sweeps))); }
 
@@ -215,24 +218,25 @@ private:
       layout_.sweep(30);
       geometry_.align(active_landmarks());
     }
-    reach_landmarks(false);
+    reach_landmarks(200, [] {});
     starts_.push_back({is_exact_, 0, geometry_});
   }
 
-  // Drags all landmarks to their goals, and lets the others follow. Those that are there are frozen; on the finest
-  // level it has more patience.
-  void reach_landmarks(bool is_finest)
+  // Drags all landmarks to their goals, and lets the others follow, at most so often. Those that are there are frozen.
+  template <class Between>
+  void reach_landmarks(int times, const Between& between)
   {
     layout_.set_stage(Stage::DOMAIN);
     layout_.forget_goals();
     for (const auto& l : landmarks_) layout_.freeze(l.vertex, true);
     Star<Geometry> star;
-    for (int i = 0; i < (is_finest ? 600 : 200); ++i) {
+    for (; times > 0; --times) {
       is_exact_ = true;
       for (const auto& l : landmarks_)
         if (!is_reached(l) && !layout_.drag(l.vertex, l.target, star)) is_exact_ = false;
       if (is_exact_) return;
       layout_.sweep(2);
+      between();
     }
   }
 
@@ -307,7 +311,7 @@ private:
     is_exact_ = true;
     if (!landmarks_.empty()) {
       for (const auto& l : landmarks_) layout_.freeze(l.vertex, false);
-      reach_landmarks(false);
+      reach_landmarks(200, [] {});
     }
     layout_.set_stage(Stage::CHORDAL);
     if (is_exact_) layout_.sweep(times);

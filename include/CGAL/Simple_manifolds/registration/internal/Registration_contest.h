@@ -122,15 +122,19 @@ private:
       landmarks.push_back({is_backwards ? second : first,
                            Domain::on_grid(fixed.domain_points[is_backwards ? first : second]), 1});
     One_way<Geometry> way(moved, fixed, landmarks, options_);
+    // How many layouts there are going to be is not known: each takes half of what is left.
+    double before = done_;
     const auto progress = [&](double fraction) {
-      done_ = (std::max)(done_, (std::min)(fraction, 1.));
+      done_ = (std::max)(done_, before + (1 - before) / 2 * (std::min)(fraction, 1.));
       request_.visitor.progress(done_);
     };
+    const auto of_layout = [&](double fraction) { progress(0.6 * fraction); };
     const int starts = request_.effort == Effort::FAST ? 1 : request_.effort == Effort::QUALITY ? 4 : 2;
-    if (!way.layout.begin(starts, way.course, progress)) return;
+    if (!way.layout.begin(starts, way.course, of_layout)) return;
     if (!is_backwards) aligned_ = way.layout.aligned_points();
     for (int k = 0; k < way.layout.number_of_starts() && !is_decided(); ++k) {
-      auto points = way.layout.finish(k, way.course, progress);
+      before = done_;
+      auto points = way.layout.finish(k, way.course, of_layout);
       if (!points) continue;
       if (!way.course.unreached.empty()) {
         if (!is_backwards && unreached_.empty()) unreached_ = way.course.unreached;
@@ -138,7 +142,7 @@ private:
       }
       restart(is_backwards, is_backwards ? source_.domain_points : *points,
               is_backwards ? *points : target_.domain_points);
-      improvement_.try_out();
+      improvement_.try_out([&](double fraction) { progress(0.6 + 0.4 * fraction); });
       const double energy = improvement_.energies().back();
       if (best_ && !(energy < best_->energy)) continue;
       best_ = Layout{is_backwards,
@@ -158,7 +162,7 @@ private:
   Points aligned_;
   std::optional<Layout> best_;
   std::vector<int> unreached_;
-  double done_ = 0; // later starts begin from nothing again
+  double done_ = 0; // of the search
 };
 
 } // namespace internal

@@ -46,7 +46,8 @@ public:
 
   // Lays the first surface out once more, from where it is on the coarse levels: what the finer levels have found is a
   // better start than the search.
-  void lay_out_again()
+  template <class Progress>
+  void lay_out_again(const Progress& progress)
   {
     Registered_surface<Geometry>&moved = is_backwards_ ? target_ : source_,
     &fixed = is_backwards_ ? source_ : target_;
@@ -58,7 +59,6 @@ public:
     Registration_course course;
     const Lift<Geometry> lift = fixed.lift();
     Coarse_to_fine_registration<Geometry> again(moved, lift, landmarks, options_, true);
-    const auto progress = [&](double fraction) { request_.visitor.progress(0.4 * (std::min)(fraction, 1.)); };
     if (!again.begin(1, course, progress)) return;
     auto points = again.finish(0, course, progress);
     if (!points || !course.unreached.empty()) return;
@@ -66,11 +66,13 @@ public:
     if (!is_better()) std::swap(moved.domain_points, *points);
   }
 
-  // As far as it has to go to tell starts apart.
-  void try_out()
+  // As far as it has to go to tell starts apart. progress(fraction) is called while it does.
+  template <class Progress>
+  void try_out(const Progress& progress)
   {
-    if (request_.effort != Effort::FAST) lay_out_again();
-    run_pass(0, 4, 20);
+    if (request_.effort != Effort::FAST) lay_out_again([&](double fraction) { progress(0.6 * fraction); });
+    double done = 0.6;
+    run_pass(0, 4, 20, [&] { progress(done += 0.4 / 6); });
   }
 
   // Passes of the finest level over the source and the target, by turns. Then more of them where the distortion is large,
@@ -79,28 +81,31 @@ public:
   {
     const bool is_fast = request_.effort == Effort::FAST;
     const int passes = request_.effort == Effort::QUALITY ? 9 : 5, more = is_fast ? 0 : 8;
+    double done = 0;
+    const auto progress = [&] { request_.visitor.progress(done); };
     for (int pass = 0; pass < passes; ++pass) {
-      run_pass(pass, (pass == 0 ? 20 : 4) / (is_fast ? 2 : 1), is_fast ? 0 : 20);
-      request_.visitor.progress(0.4 + 0.6 * (pass + 1.) / (passes + more));
+      run_pass(pass, (pass == 0 ? 20 : 4) / (is_fast ? 2 : 1), is_fast ? 0 : 20, progress);
+      done = (pass + 1.) / (passes + more);
     }
     for (int pass = passes; pass + 1 < passes + more; pass += 2) {
       const double before = energies_.back();
-      for (const int k : {pass, pass + 1}) run_pass(k, 0, 40);
+      for (const int k : {pass, pass + 1}) run_pass(k, 0, 40, progress);
       if (energies_.back() > 0.97 * before) return;
-      request_.visitor.progress(0.4 + 0.6 * (pass + 2.) / (passes + more));
+      done = (pass + 2.) / (passes + more);
     }
   }
 
 private:
-  void run_pass(int pass, int sweeps, int sweeps_of_worst)
+  template <class Between>
+  void run_pass(int pass, int sweeps, int sweeps_of_worst, const Between& between)
   {
     const bool is_source = request_.has_fixed_target || (pass % 2 == 1) == is_backwards_;
     Registered_surface<Geometry>& moved = is_source ? source_ : target_;
     std::vector<typename Geometry::Point> before = moved.domain_points;
     if (is_source)
-      on_source_.run(source_, target_.lift(), sweeps, sweeps_of_worst);
+      on_source_.run(source_, target_.lift(), sweeps, sweeps_of_worst, between);
     else
-      on_target_.run(target_, source_.lift(), sweeps, sweeps_of_worst);
+      on_target_.run(target_, source_.lift(), sweeps, sweeps_of_worst, between);
     if (!is_better()) moved.domain_points = std::move(before);
   }
 
@@ -112,7 +117,7 @@ private:
   }
   double energy()
   {
-    return (on_source_.run(source_, target_.lift(), 0) + on_target_.run(target_, source_.lift(), 0)) / 2;
+    return (on_source_.energy(source_, target_.lift()) + on_target_.energy(target_, source_.lift())) / 2;
   }
   bool is_better()
   {

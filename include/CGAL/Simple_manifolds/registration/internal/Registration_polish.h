@@ -33,9 +33,10 @@ public:
   }
 
   // The mean pointwise energy of the source against the target, after as many sweeps of all vertices, and of the
-  // worst ones; they move the domain points.
+  // worst ones; they move the domain points. between: is called after each sweep, or ten of the worst ones.
+  template <class Between>
   double run(Registered_surface<Geometry>& source, const Lift<Geometry>& target, int sweeps,
-             int sweeps_of_worst = 0)
+             int sweeps_of_worst, const Between& between)
   {
     Geometry& geometry = levels_.geometry;
     const int n = static_cast<int>(source.domain_points.size());
@@ -46,12 +47,24 @@ public:
     layout.update_mesh();
     for (const int v : frozen_) layout.freeze(levels_.number(v), true);
     layout.set_stage(Registration_layout<Geometry>::Stage::POINTWISE);
-    layout.sweep(sweeps);
-    layout.sweep_worst(sweeps_of_worst);
+    for (; sweeps > 0; --sweeps) {
+      layout.sweep(1);
+      between();
+    }
+    for (constexpr int some = 10; sweeps_of_worst > 0; sweeps_of_worst -= some) {
+      layout.sweep_worst(some);
+      between();
+    }
     const double mean = layout.composed().pointwise_mean();
     geometry.start_level(levels_.mesh); // on the torus it takes the copies that are domain points
     for (int v = 0; v < n; ++v) source.domain_points[v] = geometry.position(levels_.number(v));
     return mean;
+  }
+
+  // That energy as it is.
+  double energy(Registered_surface<Geometry>& source, const Lift<Geometry>& target)
+  {
+    return run(source, target, 0, 0, [] {});
   }
 
 private:
