@@ -38,6 +38,10 @@ struct Options {
     map.effort = choice<SM::Effort>(
       option<std::string>(d, "effort"), "effort",
       {{"fast", SM::Effort::FAST}, {"default", SM::Effort::DEFAULT}, {"quality", SM::Effort::QUALITY}});
+    map.position = choice<SM::Position_frame>(option<std::string>(d, "position"), "position",
+                                              {{"none", SM::Position_frame::NONE},
+                                               {"shape", SM::Position_frame::SHAPE},
+                                               {"space", SM::Position_frame::SPACE}});
     close_borders = choice<SM::Close_borders>(option<std::string>(d, "close_borders"), "close_borders",
                                               {{"none", SM::Close_borders::NONE},
                                                {"small", SM::Close_borders::SMALL},

@@ -124,19 +124,19 @@ def inspect_mesh(mesh: Any) -> MeshInspection:
 
 
 def _map_options(energy: Optional[str], energy_lambda: Optional[float], area_floor: Optional[float], effort: str,
-                 close_borders: str, for_fitting: bool) -> dict:
+                 position: str, close_borders: str, for_fitting: bool) -> dict:
     options = {"energy": "symmetric_dirichlet", "energy_lambda": 0.3, "area_floor": 0.05}
     if for_fitting:
         options.update(_FOR_FITTING)
     given = {"energy": energy, "energy_lambda": energy_lambda, "area_floor": area_floor}
     options.update({key: value for key, value in given.items() if value is not None})
-    return {**options, "effort": effort, "close_borders": close_borders}
+    return {**options, "effort": effort, "position": position, "close_borders": close_borders}
 
 
 def map_mesh(mesh: Any, domain: str = "auto", *, energy: Optional[str] = None, energy_lambda: Optional[float] = None,
-             area_floor: Optional[float] = None, effort: str = "default", close_borders: str = "none",
-             corners: Sequence[int] = (), landmarks: Sequence[tuple] = (), for_fitting: bool = False,
-             progress: Progress = None) -> Map:
+             area_floor: Optional[float] = None, effort: str = "default", position: str = "none",
+             close_borders: str = "none", corners: Sequence[int] = (), landmarks: Sequence[tuple] = (),
+             for_fitting: bool = False, progress: Progress = None) -> Map:
     """Maps a mesh one to one onto a canonical surface; every map is certified.
 
     mesh: a Mesh, any object with vertices and faces (trimesh), points and cells_dict (meshio), points and faces
@@ -144,6 +144,8 @@ def map_mesh(mesh: Any, domain: str = "auto", *, energy: Optional[str] = None, e
     domain: 'auto', or 'plane' (the unit square, for disks), 'sphere', 'torus', 'hyperbolic' (genus 2 or more).
     energy: 'symmetric_dirichlet' or 'amips' with energy_lambda, the weight of areas; area_floor: share of uniform
       area in the target areas. for_fitting: other defaults of these three, which suit surfaces.
+    position: how the map lies, without corners or landmarks: 'none', 'shape' (by the shape's own moments, so that noise
+      and motions do not turn it) or 'space' (the sphere by the axes of space).
     effort: 'fast', 'default' or 'quality'. close_borders: 'none', 'small', 'inner' or 'all'.
     corners: four vertices of the border of a disk, counterclockwise. landmarks: (vertex, point of the domain) or
       (vertex, point, weight), towards which the map is drawn; they need a domain.
@@ -153,7 +155,7 @@ def map_mesh(mesh: Any, domain: str = "auto", *, energy: Optional[str] = None, e
         domain = "plane"
     if domain not in ("auto", "plane", "sphere", "torus", "hyperbolic"):
         raise ValueError(f"domain is {domain!r}, not one of auto, plane, sphere, torus, hyperbolic")
-    options = _map_options(energy, energy_lambda, area_floor, effort, close_borders, for_fitting)
+    options = _map_options(energy, energy_lambda, area_floor, effort, position, close_borders, for_fitting)
     points, triangles, outer = _meshes.triangles(mesh)
     if len(corners) not in (0, 4):
         raise ValueError("corners are four vertices")
@@ -181,10 +183,10 @@ def map_mesh(mesh: Any, domain: str = "auto", *, energy: Optional[str] = None, e
 
 def map_components(mesh: Any, *, max_components: Optional[int] = None, energy: Optional[str] = None,
                    energy_lambda: Optional[float] = None, area_floor: Optional[float] = None, effort: str = "default",
-                   close_borders: str = "none", for_fitting: bool = False,
+                   position: str = "none", close_borders: str = "none", for_fitting: bool = False,
                    progress: Progress = None) -> list[Component]:
     """Maps each connected component by itself; the error of one does not lose the others. See map_mesh()."""
-    options = _map_options(energy, energy_lambda, area_floor, effort, close_borders, for_fitting)
+    options = _map_options(energy, energy_lambda, area_floor, effort, position, close_borders, for_fitting)
     points, triangles, outer = _meshes.triangles(mesh)
     with _callback(progress) as report:
         found = _core.map_components(points, triangles, outer, options, max_components, report)
@@ -330,7 +332,7 @@ for _class, _function in (*((Surface, f) for f in (_positions, _normals, _deriva
 
 def register_maps(source: Map, target: Map, landmarks: Any = (), *, effort: str = "default", fix_target: bool = False,
                   progress: Progress = None) -> Correspondence:
-    """The one to one map between two shapes with little distortion, from their maps to the sphere.
+    """The one to one map between two shapes with little distortion, from their maps to the sphere, torus or square.
 
     landmarks: pairs (vertex of the source, vertex of the target), shape (k, 2), which are met exactly.
     Raises NumericError when landmarks contradict each other or cannot be met.
@@ -342,7 +344,10 @@ def register_maps(source: Map, target: Map, landmarks: Any = (), *, effort: str 
 
 def register_shapes(maps: Sequence[Map], landmarks: Any = (), *, template_shape: int = 0, mean_iterations: int = 2,
                     effort: str = "default", progress: Progress = None) -> ShapeSet:
-    """Registers several shapes. landmarks: a row for each, with its vertex of each shape."""
+    """Registers several shapes, from their maps to the sphere, torus or square.
+
+    landmarks: a row for each, with its vertex of each shape. template_shape: which the others are registered to.
+    """
     rows = _meshes.integers(landmarks, "landmarks").reshape(-1, max(len(maps), 1))
     with _callback(progress) as report:
         return _core.register_shapes(list(maps), rows, template_shape, mean_iterations, effort, report)
