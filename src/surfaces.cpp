@@ -12,7 +12,7 @@
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Chart_spline_impl.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_fit_impl.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_space_impl.h>
-#include <CGAL/Simple_manifolds/embedding/internal/fit/Leaf_basis_impl.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Node_basis_impl.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Normal_distance_solver_impl.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Refining_fit.h>
 #include <CGAL/Simple_manifolds/embedding/internal/target/Crease_sectors_impl.h>

@@ -40,6 +40,18 @@ Vector3d value(const internal::Chart_spline& spline, const Vector2d& uv)
   return spline.point<D>(spline.tree().leaf(uv), uv);
 }
 
+// Of all functions: those of the leaf that contains uv and of its ancestors.
+Eigen::RowVectorXd values_at(const internal::Chart_spline& spline, int leaf, const Vector2d& uv)
+{
+  Eigen::RowVectorXd values = Eigen::RowVectorXd::Zero(spline.size());
+  for (int node = leaf; node >= 0; node = spline.basis().parent(node)) {
+    const auto f = internal::local_values<3>(spline.tree(), node, uv);
+    for (int k = 0; k < 16; ++k)
+      if (const int i = spline.basis().function(node, k); i >= 0) values[i] = f[k];
+  }
+  return values;
+}
+
 template <int D>
 void check_refinement()
 {
@@ -136,20 +148,85 @@ TEST_CASE("Functions that are active are linearly independent")
     }();
     const internal::Cell c = spline.tree().cell(leaf);
     const double side = spline.tree().side(c.level);
-    const auto f = internal::local_values<3>(
-      spline.tree(), leaf, Vector2d((c.i + uniform(engine)) / side, (c.j + uniform(engine)) / side));
-    values.row(k).setZero();
-    const internal::Leaf_basis& basis = spline.basis();
-    for (std::size_t r = basis.begin(leaf); r < basis.end(leaf); ++r) {
-      const internal::Leaf_basis::Row& row = basis.row(r);
-      for (int i = 0; i < 16; ++i)
-        values(k, row.function) += f[i] * (row.local < 0 ? basis.factors(row)[i] : double(row.local == i));
-    }
+    const Vector2d uv((c.i + uniform(engine)) / side, (c.j + uniform(engine)) / side);
+    values.row(k) = values_at(spline, leaf, uv);
     CHECK(values.row(k).minCoeff() > -1e-15); // each is a B-spline
   }
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(values);
   qr.setThreshold(1e-9);
   CHECK(qr.rank() == n);
+}
+
+TEST_CASE("Coefficients of leaves are those of the functions, and sums come up by the transpose")
+{
+  std::mt19937 engine(8);
+  internal::Chart_spline spline(3, Vector3d::Zero());
+  for (int round = 0; round < 3; ++round) spline.refine(refine_randomly(spline.tree(), 15, 5, engine));
+  const auto random = [&] { return Vector3d(uniform(engine), uniform(engine), uniform(engine)); };
+  std::vector<Vector3d> x(spline.size());
+  for (Vector3d& p : x) p = random();
+  spline.add([&](int f) { return x[f]; });
+  std::vector<Vector3d> local(16 * std::size_t(spline.tree().size()), Vector3d::Zero());
+  double at_leaves = 0, of_functions = 0;
+  for (int leaf = 0; leaf < spline.tree().size(); ++leaf) {
+    if (!spline.tree().is_leaf(leaf)) continue;
+    const internal::Cell c = spline.tree().cell(leaf);
+    const Vector2d uv = Vector2d(c.i + uniform(engine), c.j + uniform(engine)) / spline.tree().side(c.level);
+    Vector3d point(0, 0, 0);
+    const Eigen::RowVectorXd values = values_at(spline, leaf, uv);
+    for (int f = 0; f < spline.size(); ++f) point += values[f] * x[f];
+    CHECK((spline.point<3>(leaf, uv) - point).norm() < 1e-13);
+    for (std::size_t k = 0; k < 16; ++k) {
+      local[16 * std::size_t(leaf) + k] = random();
+      at_leaves += local[16 * std::size_t(leaf) + k].dot(spline.local(leaf)[k]);
+    }
+  }
+  const std::vector<Vector3d> sums = spline.basis().sums(local);
+  for (std::size_t f = 0; f < x.size(); ++f) of_functions += sums[f].dot(x[f]);
+  CHECK(std::abs(at_leaves - of_functions) < 1e-11 * at_leaves);
+}
+
+TEST_CASE("The normal equations of two charts are those of one row per sample")
+{
+  std::mt19937 engine(9);
+  std::vector<internal::Chart_spline> splines(2, internal::Chart_spline(3, Vector3d::Zero()));
+  for (internal::Chart_spline& s : splines) s.refine(refine_randomly(s.tree(), 12, 4, engine));
+  const int n = splines[0].size(), all = n + splines[1].size();
+  internal::Fit_samples samples;
+  std::vector<Vector3d> value, residual;
+  std::vector<double> joint, own;
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(all, all);
+  Eigen::MatrixX3d right_side = Eigen::MatrixX3d::Zero(all, 3);
+  for (int k = 0; k < 4000; ++k) {
+    Eigen::RowVectorXd blended = Eigen::RowVectorXd::Zero(all);
+    residual.push_back({uniform(engine), uniform(engine), uniform(engine)});
+    samples.target.push_back({uniform(engine), uniform(engine), uniform(engine)});
+    joint.push_back(uniform(engine));
+    for (int c = 0; c < 2; ++c) {
+      if (k % 4 == 1 + c) continue; // seen by one chart
+      const internal::Cell_tree& tree = splines[c].tree();
+      const Vector2d uv(std::pow(uniform(engine), 2), uniform(engine));
+      samples.views.push_back({c, tree.leaf(uv), uv, uniform(engine)});
+      own.push_back(0.1 * uniform(engine));
+      value.push_back({uniform(engine), 0, 0});
+      Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(all);
+      row.segment(c * n, splines[c].size()) = values_at(splines[c], tree.leaf(uv), uv);
+      matrix += own.back() * row.transpose() * row;
+      right_side += own.back() * row.transpose() * (samples.target.back() - value.back()).transpose();
+      blended += samples.views.back().blend * row;
+    }
+    samples.begin.push_back(samples.views.size());
+    matrix += joint.back() * blended.transpose() * blended;
+    right_side += joint.back() * blended.transpose() * residual.back().transpose();
+  }
+  constexpr double ridge = 1e-6; // a function that few samples see
+  matrix.diagonal() *= 1 + ridge;
+  const Eigen::MatrixX3d wanted = matrix.ldlt().solve(right_side);
+  for (const bool is_parallel : {false, true}) {
+    internal::Normal_equations equations(splines, {0, 1}, is_parallel);
+    equations.assemble(samples, joint, own, value, residual, 0);
+    CHECK((equations.solve(ridge) - wanted).norm() < 1e-8 * wanted.norm());
+  }
 }
 
 TEST_CASE("Normal equations reproduce a polynomial, and are set up anew each time")

@@ -22,6 +22,10 @@
 #include <Eigen/CholmodSupport>
 
 #include <mutex>
+#if defined(__unix__) || defined(__APPLE__)
+#include <dlfcn.h>
+#define CGAL_SIMPLE_MANIFOLDS_HAS_DLSYM
+#endif
 #else
 #include <Eigen/SparseCholesky>
 #endif
@@ -49,9 +53,8 @@ struct Cholesky_factorization : Eigen::CholmodSupernodalLLT<Sparse_matrix, Eigen
   std::size_t bytes() { return cholmod().memory_usage; }
 };
 
-// OpenBLAS takes 128 MB of addresses when it is first used and waits for ever when the system refuses them; OpenMP starts
-// CHOLMOD's threads at their first loop and ends the program when it cannot. Both keep what they have. So they are used,
-// on a small dense matrix, when it is known to be there.
+// OpenBLAS takes 128 MB of addresses when it is first used, keeps them, and waits for ever when the system refuses them. So
+// it is used, on a small dense matrix, when they are known to be there.
 inline void let_blas_take_its_memory()
 {
   std::unique_ptr<volatile char[]> room(new volatile char[192 << 20]);
@@ -72,21 +75,55 @@ struct Cholesky_factorization : Eigen::SimplicialLLT<Sparse_matrix, Eigen::Lower
 #endif
 
 #ifdef CGAL_SIMPLE_MANIFOLDS_USE_CHOLMOD
+// CHOLMOD's OpenMP loops are short: to wake threads for them takes longer than they save, and on a busy machine each loop
+// waits until the last of its threads has had its turn. While this lives, the runtime that CHOLMOD has brought, if any,
+// gives them one.
+class Serial_openmp_loops {
+public:
+  Serial_openmp_loops()
+  {
+#ifdef CGAL_SIMPLE_MANIFOLDS_HAS_DLSYM
+    const auto get = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "omp_get_max_active_levels"));
+    set_ = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"));
+    if (get == nullptr || set_ == nullptr) return;
+    levels_ = get();
+    set_(0);
+#endif
+  }
+  ~Serial_openmp_loops()
+  {
+    if (levels_ >= 0) set_(levels_);
+  }
+  Serial_openmp_loops(const Serial_openmp_loops&) = delete;
+  Serial_openmp_loops& operator=(const Serial_openmp_loops&) = delete;
+
+private:
+  void (*set_)(int) = nullptr;
+  int levels_ = -1;
+};
+
 // Not every BLAS that CHOLMOD may be linked with can be called by two threads, OpenBLAS's serial build cannot. The
 // factorisation is a small share of a fit.
-inline std::unique_lock<std::mutex> lock_blas()
-{
-  static std::mutex mutex;
-  std::unique_lock<std::mutex> lock(mutex);
-  static const bool is_blas_ready = (let_blas_take_its_memory(), true); // once; again, if it has thrown
-  (void)is_blas_ready;
-  return lock;
-}
-#else
-struct No_lock {
-  ~No_lock() {} // so that no compiler calls it unused
+struct Blas_lock {
+  Blas_lock() : lock(mutex())
+  {
+    static const bool is_blas_ready = (let_blas_take_its_memory(), true); // once; again, if it has thrown
+    (void)is_blas_ready;
+  }
+
+  static std::mutex& mutex()
+  {
+    static std::mutex m;
+    return m;
+  }
+
+  std::unique_lock<std::mutex> lock;
+  Serial_openmp_loops loops;
 };
-inline No_lock lock_blas() { return {}; }
+#else
+struct Blas_lock {
+  Blas_lock() {} // so that no compiler calls it unused
+};
 #endif
 
 /// The factor of a matrix, for any number of right sides.
@@ -96,7 +133,7 @@ public:
   /// \throw std::bad_alloc  the memory does not suffice
   explicit Cholesky_solver(const Sparse_matrix& a)
   {
-    const auto lock = lock_blas();
+    const Blas_lock lock;
     factorization_.analyzePattern(a);
     factorization_.require_memory();
     factorization_.factorize(a);
@@ -110,7 +147,7 @@ public:
   /// \throw std::bad_alloc  the memory does not suffice
   Eigen::MatrixX3d solve(const Eigen::MatrixX3d& b)
   {
-    const auto lock = lock_blas();
+    const Blas_lock lock;
     Eigen::MatrixX3d x = factorization_.solve(b);
     factorization_.require_memory();
     return x;

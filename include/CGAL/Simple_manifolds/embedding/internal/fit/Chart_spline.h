@@ -10,7 +10,7 @@
 
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Cell_tree.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Hierarchical_space.h>
-#include <CGAL/Simple_manifolds/embedding/internal/fit/Leaf_basis.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Node_basis.h>
 
 #include <Eigen/Core>
 
@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Simple_manifolds {
 namespace internal {
 
-/// The values at uv of the (D+1)^2 B-splines of the level of a cell, in the order of `Leaf_basis`.
+/// The values at uv of the (D+1)^2 B-splines of the level of a cell, in the order of `Node_basis`.
 template <int D>
 std::array<double, (D + 1) * (D + 1)> local_values(const Cell_tree& tree, int node, const Eigen::Vector2d& uv)
 {
@@ -44,7 +44,7 @@ public:
 
   const Cell_tree& tree() const { return tree_; }
   const Hierarchical_space& space() const { return space_; }
-  const Leaf_basis& basis() const { return basis_; }
+  const Node_basis& basis() const { return basis_; }
   const std::vector<Eigen::Vector3d>& coefficients() const { return coefficients_; }
   int size() const { return space_.size(); }
 
@@ -63,7 +63,7 @@ public:
     update();
   }
 
-  /// The local coefficients of a leaf, in the order of `Leaf_basis`.
+  /// The local coefficients of a leaf, in the order of `Node_basis`.
   const Eigen::Vector3d* local(int leaf) const
   {
     return &local_[leaf * std::size_t(basis_.number_of_local_functions())];
@@ -84,7 +84,7 @@ private:
 
   Cell_tree tree_;
   Hierarchical_space space_;
-  Leaf_basis basis_;
+  Node_basis basis_;
   std::vector<Eigen::Vector3d> coefficients_, local_;
 };
 

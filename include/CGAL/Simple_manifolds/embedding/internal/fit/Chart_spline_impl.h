@@ -31,7 +31,7 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Chart_spline::refine(Cell_tree tree)
   coefficients_ = finer.transfer(tree, space_, coefficients_);
   tree_ = std::move(tree);
   space_ = std::move(finer);
-  basis_ = Leaf_basis(tree_, space_);
+  basis_ = Node_basis(tree_, space_);
   update();
 }
 
@@ -42,7 +42,7 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Chart_spline::restrict_to(const std::vector<ch
     if (is_wanted[f]) kept.push_back(coefficients_[f]);
   coefficients_ = std::move(kept);
   space_.restrict_to(is_wanted);
-  basis_ = Leaf_basis(tree_, space_);
+  basis_ = Node_basis(tree_, space_);
   update();
 }
 

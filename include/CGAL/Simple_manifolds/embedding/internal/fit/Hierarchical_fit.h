@@ -70,6 +70,10 @@ public:
   /// Of the cells of all charts, those that `prune()` left out included: what the limit of `refine()` refers to.
   std::size_t number_of_functions() const;
 
+  std::size_t number_of_leaves() const;
+  /// Those that are marked.
+  static std::size_t number_of_leaves(std::vector<Mark> marks);
+
   int levels(int c) const { return splines_[c].space().number_of_levels(); }
 
   const Fit_report::Bytes& bytes() const { return bytes_; }

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -139,14 +140,13 @@ CGAL_SIMPLE_MANIFOLDS_INLINE void Hierarchical_fit::prune(double least)
     constexpr int D = decltype(d)::value;
     for (const Fit_samples::View& view : samples_.views) {
       const Chart_spline& spline = splines_[view.chart];
-      const Leaf_basis& basis = spline.basis();
-      const auto f = local_values<D>(spline.tree(), view.cell, view.uv);
-      for (std::size_t k = basis.begin(view.cell); k < basis.end(view.cell); ++k) {
-        const Leaf_basis::Row& row = basis.row(k);
-        double value = row.local >= 0 ? f[row.local] : 0;
-        for (std::size_t i = 0; i < f.size() && row.local < 0; ++i) value += basis.factors(row)[i] * f[i];
-        double& most = largest[view.chart][row.function];
-        most = (std::max)(most, view.blend * value);
+      const Node_basis& basis = spline.basis();
+      for (int node = view.cell; node >= 0; node = basis.parent(node)) {
+        if (!basis.has_functions(node)) continue;
+        const auto value = local_values<D>(spline.tree(), node, view.uv);
+        for (std::size_t k = 0; k < value.size(); ++k)
+          if (const int f = basis.function(node, int(k)); f >= 0)
+            largest[view.chart][f] = (std::max)(largest[view.chart][f], view.blend * value[k]);
       }
     }
   });
@@ -197,6 +197,23 @@ CGAL_SIMPLE_MANIFOLDS_INLINE std::size_t Hierarchical_fit::number_of_functions()
   std::size_t n = 0;
   for (const Chart_spline& s : splines_) n += Hierarchical_space(degree_, s.tree()).size();
   return n;
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE std::size_t Hierarchical_fit::number_of_leaves() const
+{
+  std::size_t n = 0;
+  for (const Chart_spline& s : splines_) // a refinement replaces one leaf by four
+    n += (3 * std::size_t(s.tree().size()) + std::size_t(s.tree().base() * s.tree().base())) / 4;
+  return n;
+}
+
+CGAL_SIMPLE_MANIFOLDS_INLINE std::size_t Hierarchical_fit::number_of_leaves(std::vector<Mark> marks)
+{
+  const auto key = [](const Mark& m) { return std::make_tuple(m.chart, m.leaf.level, m.leaf.i, m.leaf.j); };
+  std::sort(marks.begin(), marks.end(), [&](const Mark& x, const Mark& y) { return key(x) < key(y); });
+  const auto end =
+    std::unique(marks.begin(), marks.end(), [&](const Mark& x, const Mark& y) { return key(x) == key(y); });
+  return std::size_t(end - marks.begin());
 }
 
 CGAL_SIMPLE_MANIFOLDS_INLINE std::vector<int> Hierarchical_fit::refine(std::vector<Mark> marks,

@@ -11,6 +11,8 @@
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Chart_spline.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/thin_plate_energy.h>
+#include <CGAL/Simple_manifolds/internal/always_inline.h>
+#include <CGAL/Simple_manifolds/internal/call_for_avx2.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
 
 #include <algorithm>
@@ -73,24 +75,28 @@ public:
     const int leaves = columns.tree().size();
     leaf_a_.assign(first_block_[leaves], -1);
     blocks_.assign(first_block_[leaves] * K * K, 0);
-    for_each_piece(leaves, [&](int leaf) {
+    const auto sum = [&](int leaf) {
+      std::vector<std::array<double, K>> f, g; // of the samples of one pair
       std::size_t block = first_block_[leaf];
-      for (std::size_t k = first_item_[leaf]; k < first_item_[leaf + 1]; ++k) {
-        const Item& item = items_[k];
-        if (leaf_a_[block] >= 0 && leaf_a_[block] != item.leaf_a) ++block;
-        leaf_a_[block] = item.leaf_a;
-        const std::size_t u = samples.begin[item.sample] + item.view_a;
-        const std::size_t v = samples.begin[item.sample] + item.view_b;
-        const double w = joint_weight[item.sample] * samples.views[u].blend * samples.views[v].blend +
-                         (u == v ? own_weight[u] : 0);
-        if (w == 0) continue;
-        const auto f = local_values<D>(rows.tree(), item.leaf_a, samples.views[u].uv);
-        const auto g = local_values<D>(columns.tree(), leaf, samples.views[v].uv);
-        double* m = &blocks_[block * K * K];
-        for (int j = 0; j < K; ++j, m += K)
-          for (int i = 0; i < K; ++i) m[i] += w * g[j] * f[i];
+      for (std::size_t k = first_item_[leaf], last = first_item_[leaf + 1]; k < last; ++block) {
+        leaf_a_[block] = items_[k].leaf_a;
+        f.clear();
+        g.clear();
+        for (; k < last && items_[k].leaf_a == leaf_a_[block]; ++k) {
+          const Item& item = items_[k];
+          const std::size_t u = samples.begin[item.sample] + item.view_a;
+          const std::size_t v = samples.begin[item.sample] + item.view_b;
+          const double w = joint_weight[item.sample] * samples.views[u].blend * samples.views[v].blend +
+                           (u == v ? own_weight[u] : 0);
+          if (w == 0) continue;
+          f.push_back(local_values<D>(rows.tree(), item.leaf_a, samples.views[u].uv));
+          g.push_back(local_values<D>(columns.tree(), leaf, samples.views[v].uv));
+          for (double& x : g.back()) x *= w;
+        }
+        for (int j = 0; j < K; ++j) add_multiples<K>(f, g, j, &blocks_[(block * K + j) * K]);
       }
-    });
+    };
+    for_each_piece(leaves, [&](int leaf) { call_with_widest_vectors([&] { sum(leaf); }); });
   }
 
   /// Adds the thin plate energy of a chart with itself.
@@ -130,6 +136,19 @@ private:
     int leaf_a, sample;
     unsigned char view_a, view_b; // relative to the first view of the sample
   };
+
+  // Adds the sum of g_j f over some samples.
+  template <int K>
+  static CGAL_SIMPLE_MANIFOLDS_ALWAYS_INLINE void add_multiples(const std::vector<std::array<double, K>>& f,
+                                                                const std::vector<std::array<double, K>>& g,
+                                                                int j, double* m)
+  {
+    std::array<double, K> sum;
+    std::copy(m, m + K, sum.begin());
+    for (std::size_t n = 0; n < f.size(); ++n)
+      for (int i = 0; i < K; ++i) sum[i] += g[n][j] * f[n][i];
+    std::copy(sum.begin(), sum.end(), m);
+  }
 
   static constexpr int piece = 128; // leaves per task
 

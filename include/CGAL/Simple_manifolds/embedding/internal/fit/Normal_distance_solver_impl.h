@@ -9,6 +9,7 @@
 #define CGAL_SIMPLE_MANIFOLDS_EMBEDDING_INTERNAL_FIT_NORMAL_DISTANCE_SOLVER_IMPL_H
 
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Normal_distance_solver.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Two_scale_relation.h>
 #include <CGAL/Simple_manifolds/internal/compiled.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
 
@@ -90,18 +91,13 @@ void Normal_distance_solver::change(const Vectors& x, Vectors& at_samples) const
 {
   constexpr int N = D + 1, K = N * N;
   Vectors at_views(sample_.size());
+  std::vector<Vectors> locals(splines_.size());
+  parallel_tasks(is_parallel_, int(splines_.size()), [&](int c) {
+    locals[c] =
+      splines_[c].basis().local_coefficients(Vectors(x.begin() + offset_[c], x.begin() + offset_[c + 1]));
+  });
   for_each_leaf([&](const Leaf& leaf) {
-    const Leaf_basis& basis = splines_[leaf.chart].basis();
-    std::array<Eigen::Vector3d, K> local;
-    local.fill(Eigen::Vector3d::Zero());
-    for (std::size_t k = basis.begin(leaf.node); k < basis.end(leaf.node); ++k) {
-      const Leaf_basis::Row& row = basis.row(k);
-      const Eigen::Vector3d& y = x[offset_[leaf.chart] + row.function];
-      if (row.local >= 0)
-        local[row.local] += y;
-      else
-        for (int i = 0; i < K; ++i) local[i] += basis.factors(row)[i] * y;
-    }
+    const Eigen::Vector3d* local = &locals[leaf.chart][std::size_t(leaf.node) * K];
     for (std::size_t u = leaf.begin; u < leaf.end; ++u) {
       const double* f = &factors_[u * 2 * N];
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -123,10 +119,11 @@ template <int D>
 void Normal_distance_solver::collect(const Vectors& at_samples, Vectors& sum) const
 {
   constexpr int N = D + 1, K = N * N;
-  std::vector<std::array<Eigen::Vector3d, K>> locals(leaves_.size());
+  std::vector<Vectors> locals;
+  for (const Chart_spline& s : splines_)
+    locals.emplace_back(std::size_t(s.tree().size()) * K, Eigen::Vector3d::Zero());
   for_each_leaf([&](const Leaf& leaf) {
-    std::array<Eigen::Vector3d, K>& local = locals[&leaf - leaves_.data()];
-    local.fill(Eigen::Vector3d::Zero());
+    Eigen::Vector3d* local = &locals[leaf.chart][std::size_t(leaf.node) * K];
     for (std::size_t u = leaf.begin; u < leaf.end; ++u) {
       const double* f = &factors_[u * 2 * N];
       for (int r = 0; r < N; ++r) {
@@ -135,54 +132,49 @@ void Normal_distance_solver::collect(const Vectors& at_samples, Vectors& sum) co
       }
     }
   });
-  std::fill(sum.begin(), sum.end(), Eigen::Vector3d::Zero());
-  for (std::size_t l = 0; l < leaves_.size(); ++l) {
-    const Leaf_basis& basis = splines_[leaves_[l].chart].basis();
-    for (std::size_t k = basis.begin(leaves_[l].node); k < basis.end(leaves_[l].node); ++k) {
-      const Leaf_basis::Row& row = basis.row(k);
-      Eigen::Vector3d& to = sum[offset_[leaves_[l].chart] + row.function];
-      if (row.local >= 0)
-        to += locals[l][row.local];
-      else
-        for (int i = 0; i < K; ++i) to += basis.factors(row)[i] * locals[l][i];
-    }
-  }
+  parallel_tasks(is_parallel_, int(splines_.size()), [&](int c) {
+    const Vectors sums = splines_[c].basis().sums(locals[c]);
+    std::copy(sums.begin(), sums.end(), sum.begin() + offset_[c]);
+  });
 }
 
 template <int D>
 std::vector<Eigen::Matrix3d>
 Normal_distance_solver::diagonal(const std::vector<Residual_metric>& metrics) const
 {
+  using Relation = Two_scale_relation<D>;
   constexpr int N = D + 1, K = N * N;
-  std::vector<std::vector<Eigen::Matrix3d>> blocks(leaves_.size());
+  std::vector<std::vector<Eigen::Matrix3d>> blocks(
+    leaves_.size()); // of the K functions of a leaf, its parent, ...
   for_each_leaf([&](const Leaf& leaf) {
-    const Leaf_basis& basis = splines_[leaf.chart].basis();
-    const std::size_t first = basis.begin(leaf.node), count = basis.end(leaf.node) - first;
+    const Node_basis& basis = splines_[leaf.chart].basis();
     std::vector<Eigen::Matrix3d>& block = blocks[&leaf - leaves_.data()];
-    block.assign(count, Eigen::Matrix3d::Zero());
+    for (int node = leaf.node; node >= 0; node = basis.parent(node))
+      block.insert(block.end(), K, Eigen::Matrix3d::Zero());
     for (std::size_t u = leaf.begin; u < leaf.end; ++u) {
       const double* f = &factors_[u * 2 * N];
       const Residual_metric& m = metrics[sample_[u]];
       Eigen::Matrix3d w = (m.weight * (1 - m.slide)) * m.normal * m.normal.transpose();
       w.diagonal().array() += m.weight * m.slide;
-      std::array<double, K> product;
-      for (int i = 0; i < K; ++i) product[i] = f[i / N] * f[N + i % N];
-      for (std::size_t k = 0; k < count; ++k) {
-        const Leaf_basis::Row& row = basis.row(first + k);
-        double value = 0;
-        if (row.local >= 0)
-          value = product[row.local];
-        else
-          for (int i = 0; i < K; ++i) value += basis.factors(row)[i] * product[i];
-        block[k] += (value * value) * w;
+      std::array<double, K> value, coarser;
+      for (int i = 0; i < K; ++i) value[i] = f[i / N] * f[N + i % N];
+      auto to = block.begin();
+      for (int node = leaf.node; node >= 0; node = basis.parent(node)) {
+        for (int i = 0; i < K; ++i, ++to)
+          if (basis.function(node, i) >= 0) *to += (value[i] * value[i]) * w;
+        coarser.fill(0);
+        Relation::template coarsen<1>(value.data(), basis.child(node), coarser.data());
+        value = coarser;
       }
     }
   });
   std::vector<Eigen::Matrix3d> sum(offset_.back(), Eigen::Matrix3d::Zero());
   for (std::size_t l = 0; l < leaves_.size(); ++l) {
-    const Leaf_basis& basis = splines_[leaves_[l].chart].basis();
-    for (std::size_t k = 0; k < blocks[l].size(); ++k)
-      sum[offset_[leaves_[l].chart] + basis.row(basis.begin(leaves_[l].node) + k).function] += blocks[l][k];
+    const Node_basis& basis = splines_[leaves_[l].chart].basis();
+    auto from = blocks[l].begin();
+    for (int node = leaves_[l].node; node >= 0; node = basis.parent(node))
+      for (int i = 0; i < K; ++i, ++from)
+        if (const int f = basis.function(node, i); f >= 0) sum[offset_[leaves_[l].chart] + f] += *from;
   }
   return sum;
 }

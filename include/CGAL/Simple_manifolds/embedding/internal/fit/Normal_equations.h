@@ -12,6 +12,7 @@
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Fit_samples.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Leaf_pairs.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/Local_stiffness.h>
+#include <CGAL/Simple_manifolds/embedding/internal/fit/Node_pairs.h>
 #include <CGAL/Simple_manifolds/embedding/internal/fit/thin_plate_energy.h>
 #include <CGAL/Simple_manifolds/internal/Cholesky_solver.h>
 #include <CGAL/Simple_manifolds/internal/parallel_for.h>
@@ -31,11 +32,10 @@ namespace internal {
 /// The normal equations for the corrections of the splines of some charts.
 ///
 /// The matrix has a block per pair of charts (a,b): the sum over the samples that both see of
-/// w f_a f_b^T, f being the values of the active functions. It is built in three steps, of which none
-/// stores a row per sample: the samples are sorted by the pair of leaves that they lie in; per pair
-/// one K x K matrix collects the products of the leaves' local functions; each column of the block is
-/// then collected from the matrices of the leaves that its function reaches ("one owner per column"). All
-/// sums have a fixed order, whatever the number of threads.
+/// w f_a f_b^T, f being the values of the active functions. No row per sample is stored: the samples are sorted by the pair
+/// of leaves that they lie in; per pair one K x K matrix collects the products of the leaves' local functions; these come
+/// up to coarser cells (`Node_pairs`), and each column of the block is collected from the cells of the function's level
+/// ("one owner per column"). All sums have a fixed order, whatever the number of threads.
 class Normal_equations {
 public:
   /// \param charts  the charts that are solved for, increasing; the others keep their splines
@@ -99,32 +99,7 @@ public:
   int offset(int c) const { return offset_[c]; }
 
 private:
-  // Some consecutive columns of a block.
-  struct Columns {
-    std::vector<int> end; // per column
-    std::vector<std::pair<int, double>> entries;
-  };
-
-  // The leaves that a function reaches, and its row there.
-  struct Reach {
-    std::vector<std::size_t> begin;
-    std::vector<std::pair<int, std::size_t>> rows;
-  };
-
-  static Reach reach(const Chart_spline& spline)
-  {
-    const Leaf_basis& basis = spline.basis();
-    Reach r;
-    r.begin.assign(spline.size() + 1, 0);
-    for (std::size_t k = 0; k < basis.size(); ++k) ++r.begin[basis.row(k).function + 1];
-    for (int f = 0; f < spline.size(); ++f) r.begin[f + 1] += r.begin[f];
-    r.rows.resize(basis.size());
-    std::vector<std::size_t> next(r.begin.begin(), r.begin.end() - 1);
-    for (int leaf = 0; leaf < spline.tree().size(); ++leaf)
-      for (std::size_t k = basis.begin(leaf); k < basis.end(leaf); ++k)
-        r.rows[next[basis.row(k).function]++] = {leaf, k};
-    return r;
-  }
+  using Column = std::vector<std::pair<int, double>>; // of a block: rows and values
 
   template <int D>
   void add_right_side(int c, const Fit_samples& samples, const std::vector<double>& joint_weight,
@@ -150,98 +125,74 @@ private:
           for (int j = 0; j < K; ++j)
             local[std::size_t(leaf) * K + i] -= plate[leaf] * energy[i * K + j] * spline.local(leaf)[j];
     }
-    const Leaf_basis& basis = spline.basis();
-    for (int leaf = 0; leaf < spline.tree().size(); ++leaf)
-      for (std::size_t k = basis.begin(leaf); k < basis.end(leaf); ++k) {
-        const Leaf_basis::Row& row = basis.row(k);
-        right_side_.row(offset_[c] + row.function) +=
-          times_row<K>(&local[std::size_t(leaf) * K], basis, row).transpose();
-      }
+    const std::vector<Eigen::Vector3d> sums = spline.basis().sums(local);
+    for (int f = 0; f < spline.size(); ++f) right_side_.row(offset_[c] + f) += sums[f].transpose();
   }
 
-  // The columns of the block of the charts a and b, for some functions of b.
-  template <int D>
-  Columns collect(int a, int b, const Leaf_pairs& pairs, const Reach& reached, int first, int last) const
-  {
-    constexpr int K = (D + 1) * (D + 1);
-    const Leaf_basis &rows = splines_[a].basis(), &columns = splines_[b].basis();
-    Columns result;
-    std::vector<double> sum(splines_[a].size(), 0);
-    std::vector<char> is_touched(splines_[a].size(), 0);
-    std::vector<int> touched;
-    for (int j = first; j < last; ++j) {
-      touched.clear();
-      for (std::size_t k = reached.begin[j]; k < reached.begin[j + 1]; ++k) {
-        const auto [leaf, row_of_j] = reached.rows[k];
-        const Leaf_basis::Row& column = columns.row(row_of_j);
-        for (std::size_t pair = pairs.begin(leaf); pair < pairs.end(leaf); ++pair) {
-          const int leaf_a = pairs.leaf_a(pair);
-          if (leaf_a < 0) continue;
-          const std::array<double, K> y = times_column<K>(pairs.matrix<K>(pair), columns, column);
-          for (std::size_t r = rows.begin(leaf_a); r < rows.end(leaf_a); ++r) {
-            const Leaf_basis::Row& row = rows.row(r);
-            if (a == b && row.function < j) continue; // the upper triangle
-            if (!is_touched[row.function]) {
-              is_touched[row.function] = 1;
-              touched.push_back(row.function);
-            }
-            sum[row.function] += times_row<K>(y, rows, row);
-          }
-        }
-      }
-      std::sort(touched.begin(), touched.end());
-      for (const int i : touched) {
-        result.entries.push_back({offset_[a] + i, sum[i]});
-        sum[i] = 0;
-        is_touched[i] = 0;
-      }
-      result.end.push_back(int(result.entries.size()));
-    }
-    return result;
-  }
-
-  template <int K>
-  static std::array<double, K> times_column(const double* m, const Leaf_basis& basis,
-                                            const Leaf_basis::Row& column)
-  {
-    std::array<double, K> y{};
-    if (column.local >= 0)
-      std::copy(m + column.local * K, m + (column.local + 1) * K, y.begin());
-    else
-      for (int l = 0; l < K; ++l, m += K)
-        for (int i = 0; i < K; ++i) y[i] += basis.factors(column)[l] * m[i];
-    return y;
-  }
-
-  template <int K, class Vector>
-  static auto times_row(const Vector& y, const Leaf_basis& basis, const Leaf_basis::Row& row)
-  {
-    if (row.local >= 0) return y[row.local];
-    auto x = y[0];
-    x *= basis.factors(row)[0];
-    for (int i = 1; i < K; ++i) x += basis.factors(row)[i] * y[i];
-    return x;
-  }
-
+  // Adds the block of two charts to the columns of b.
   template <int D>
   void add_block(int a, int b, const Fit_samples& samples, const std::vector<double>& joint_weight,
                  const std::vector<double>& own_weight, const std::vector<double>& plate)
   {
     const Chart_spline& columns = splines_[b];
-    Leaf_pairs pairs(splines_, a, b, samples, is_parallel_);
-    if (a != b && pairs.empty()) return; // the charts do not meet
-    pairs.sum_products<D>(samples, joint_weight, own_weight);
-    if (a == b && !plate.empty()) pairs.add_energy<D>(plate);
+    Leaf_pairs leaves(splines_, a, b, samples, is_parallel_);
+    if (a != b && leaves.empty()) return; // the charts do not meet
+    leaves.sum_products<D>(samples, joint_weight, own_weight);
+    if (a == b && !plate.empty()) leaves.add_energy<D>(plate);
 
-    const Reach reached = reach(columns);
-    const int pieces = (columns.size() + piece - 1) / piece;
-    std::vector<Columns> block(pieces);
-    parallel_tasks(is_parallel_, pieces, [&](int p) {
-      block[p] = collect<D>(a, b, pairs, reached, p * piece, (std::min)((p + 1) * piece, columns.size()));
-    });
-    for (const Columns& c : block) column_bytes_ += c.entries.size() * sizeof(c.entries[0]);
-    bytes_ = (std::max)(bytes_, column_bytes_ + pairs.bytes());
+    std::vector<Column> block(columns.size());
+    Node_pairs<D> pairs(splines_[a], columns, a == b, leaves, is_parallel_);
+    std::size_t bytes = 0;
+    for (int level = columns.tree().depth(); level >= 0; --level) {
+      pairs.rise();
+      bytes = (std::max)(bytes, pairs.bytes());
+      add_columns(a, b, level, pairs, block);
+    }
+    for (const Column& c : block) column_bytes_ += c.size() * sizeof(c[0]);
+    bytes_ = (std::max)(bytes_, column_bytes_ + leaves.bytes() + bytes);
     columns_[b].push_back(std::move(block));
+  }
+
+  // The columns of the functions of one level of b.
+  template <int D>
+  void add_columns(int a, int b, int level, const Node_pairs<D>& pairs, std::vector<Column>& block) const
+  {
+    constexpr int K = Node_pairs<D>::K;
+    const Node_basis &rows = splines_[a].basis(), &columns = splines_[b].basis();
+    const int first = splines_[b].space().begin(level), count = splines_[b].space().begin(level + 1) - first;
+    std::vector<std::vector<std::pair<int, int>>> reached(
+      count); // by each function: the places of nodes, its number there
+    for (int n = 0; n < int(pairs.nodes().size()); ++n)
+      for (int j = 0; j < K; ++j)
+        if (const int f = columns.function(pairs.nodes()[n], j); f >= 0) reached[f - first].push_back({n, j});
+    parallel_tasks(is_parallel_, (count + piece - 1) / piece, [&](int p) {
+      std::vector<double> sum(splines_[a].size(), 0);
+      std::vector<char> is_touched(splines_[a].size(), 0);
+      std::vector<int> touched;
+      for (int k = p * piece; k < (std::min)((p + 1) * piece, count); ++k) {
+        touched.clear();
+        for (const auto& [n, j] : reached[k]) {
+          const auto& products = pairs.products(n);
+          for (std::size_t q = 0; q < products.nodes.size(); ++q)
+            for (int i = 0; i < K && rows.has_functions(products.nodes[q]); ++i) {
+              const int f = rows.function(products.nodes[q], i);
+              if (f < 0 || (a == b && f < first + k)) continue; // the upper triangle
+              if (!is_touched[f]) {
+                is_touched[f] = 1;
+                touched.push_back(f);
+              }
+              sum[f] += products.matrix(q)[i * K + j];
+            }
+        }
+        std::sort(touched.begin(), touched.end());
+        block[first + k].reserve(touched.size());
+        for (const int f : touched) {
+          block[first + k].push_back({offset_[a] + f, sum[f]});
+          sum[f] = 0;
+          is_touched[f] = 0;
+        }
+      }
+    });
   }
 
   Sparse_matrix matrix(double ridge) const
@@ -250,15 +201,12 @@ private:
     std::size_t entries = size_; // a diagonal that nothing touched
     for (const auto& chart : columns_)
       for (const auto& block : chart)
-        for (const Columns& c : block) entries += c.entries.size();
+        for (const Column& c : block) entries += c.size();
     m.reserve(entries);
     double largest = 0;
     const auto for_each_entry = [&](int c, int j, const auto& f) {
-      for (const std::vector<Columns>& block : columns_[c]) { // in the order of the charts of their rows
-        const Columns& piece_of = block[j / piece];
-        for (int k = j % piece == 0 ? 0 : piece_of.end[j % piece - 1]; k < piece_of.end[j % piece]; ++k)
-          f(piece_of.entries[k].first, piece_of.entries[k].second);
-      }
+      for (const std::vector<Column>& block : columns_[c]) // in the order of the charts of their rows
+        for (const auto& [i, x] : block[j]) f(i, x);
     };
     for (const int c : charts_)
       for (int j = 0; j < splines_[c].size(); ++j)
@@ -297,7 +245,7 @@ private:
   int size_ = 0;
   std::size_t bytes_ = 0, column_bytes_ = 0;
   Eigen::MatrixX3d right_side_;
-  std::vector<std::vector<std::vector<Columns>>> columns_; // chart, block, piece
+  std::vector<std::vector<std::vector<Column>>> columns_; // chart, block
 };
 
 } // namespace internal

@@ -277,19 +277,24 @@ private:
   // Where the surface errs too much; if only the root mean square is too large, where it errs most.
   std::vector<Mark> joint_marks(const Fit& fit)
   {
+    constexpr double least_share = 0.1, step = 0.8; // of the leaves; of the limit
     std::vector<Mark> marks;
     timed(report_.seconds.measuring, [&] {
-      const bool is_only_folded = report_.tolerance_reached; // then nothing is above the limit but folds
-      const double limit =
-        is_only_folded
-          ? errors_.maximum()
-          : errors_.bound(rms_error(),
-                          progress_.is_maximum_stuck() && errors_.rms() > rms_error() ? errors_.maximum()
-                                                                                      : max_error(),
-                          bulk());
-      if (!is_only_folded)
-        marks = fit.marks_jointly(sample_errors(fit), limit * map_.diagonal(), only_vertices());
-      errors_.add_marks(fit, limit, only_vertices(), marks);
+      if (report_.tolerance_reached) { // then nothing is above the limit but folds
+        errors_.add_marks(fit, errors_.maximum(), only_vertices(), marks);
+        return;
+      }
+      const double least =
+        progress_.is_maximum_stuck() && errors_.rms() > rms_error() ? errors_.maximum() : max_error();
+      const std::vector<double> errors = sample_errors(fit);
+      for (double limit = errors_.bound(rms_error(), least, bulk());;
+           limit = (std::max)(step * limit, least)) {
+        marks = fit.marks_jointly(errors, limit * map_.diagonal(), only_vertices());
+        errors_.add_marks(fit, limit, only_vertices(), marks);
+        if (limit <= least ||
+            double(fit.number_of_leaves(marks)) >= least_share * double(fit.number_of_leaves()))
+          return;
+      }
     });
     return marks;
   }
