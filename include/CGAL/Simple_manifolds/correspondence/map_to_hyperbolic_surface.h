@@ -64,9 +64,12 @@ Manifold_map<Hyperbolic_atlas> map_to(Canonical_surfaces::Type<Hyperbolic_atlas>
 /// Maps of two surfaces may wind round the handles in infinitely many ways. The handles of the mesh are matched with those
 /// of the surface in many orders; then Dehn twists are tried, for the least energy of the harmonic map. The search is
 /// bounded by a number of steps, and a visitor can cancel it: it calls `progress(0)`. A bad match costs distortion, of
-/// irregular shapes from genus 5 on, of plates with rows of holes from genus 8 on; from about genus 12 on it may be so bad
-/// that doubles do not suffice, which is a `Numeric_error`. Edges of length arcosh 2 or more (coarse meshes, thin handles) are split at their
-/// middles: then the map has more vertices than the mesh, the surface is the same.
+/// irregular shapes from genus 5 on, of long rows of holes from genus 8 on; from about genus 12 on it may be so bad that
+/// doubles do not suffice, which is a `Numeric_error`.
+///
+/// Coarse meshes, of fewer than 30 (g - 1) vertices, get four faces for each of theirs. Edges of length arcosh 2 or more
+/// (thin handles) are split at their middles. So the map may have more vertices than the mesh; the surface is the same, and
+/// `Manifold_map::input_face()` tells which face is a part of which.
 ///
 /// The named parameters, errors and guarantees are those of `map_to_sphere()`, but for `landmarks`: there are none.
 template <class ConcurrencyTag = Sequential_tag, class FaceListGraph,

@@ -55,8 +55,9 @@ public:
                       const Visitor_reference& visitor)
     : total_area(4 * 3.14159265358979323846 * (genus - 1)),
       minimum_vertices((std::max)(60, vertices_per_handle * (genus - 1))), visitor_(visitor),
-      attempt_(attempt), copies_(genus - 1), position_(number_of_vertices, Point(0, 0, 1)),
-      tile_(number_of_vertices), deck_(3 * static_cast<std::size_t>(number_of_faces), 0)
+      attempt_(attempt), copies_(genus - 1), most_work_(attempt == 0 ? 36000000 : 10000000),
+      position_(number_of_vertices, Point(0, 0, 1)), tile_(number_of_vertices),
+      deck_(3 * static_cast<std::size_t>(number_of_faces), 0)
   {
   }
 
@@ -73,31 +74,32 @@ public:
   bool lay_out_base(const Collapse_hierarchy& mesh)
   {
     if (marking_) return take(*marking_, mesh);
-    Marked_base base(mesh, copies_ + 1, attempt_, visitor_);
+    Marked_base base(mesh, copies_ + 1, attempt_, most_work_, visitor_);
     if (!base.is_possible()) return false;
     Marked_base::Marking best = base.match_handles();
     const auto use = [&](Marked_base::Marking m) {
       if (m.distortion < clear_gain * best.distortion) best = std::move(m);
     };
     if (minimum_vertices < vertices_per_handle * copies_) { // a base of a base
-      use(base.match_chains());
+      if (base.work() < most_work_) use(base.match_chains());
     } else {
       // Harmonic maps leave parts that only hang on a handle no room; smaller bases have no such parts.
+      const int n = mesh.number_of_active_vertices();
       std::size_t work = 0;
-      const auto go_on = [&] {
-        return best.distortion > good_distortion && base.work() + work < most_work();
-      };
+      const auto go_on = [&] { return best.distortion > good_distortion && base.work() + work < most_work_; };
       if (go_on() && best.distortion < (std::numeric_limits<double>::max)()) {
-        Hyperbolic_geometry same(*this, mesh, mesh.number_of_active_vertices());
+        Hyperbolic_geometry same(*this, mesh, n, 0);
         same.marking_ = &best.map;
-        Marked_base::Marking relaxed = base_of_base(mesh, base, same);
+        Marked_base::Marking relaxed = base_of_base(mesh, base, same, n + 1);
         if (relaxed.distortion < best.distortion) best = std::move(relaxed);
       }
-      for (const int n : {10, 6, 4}) {
+      int fewest = n;
+      for (const int per_handle : {10, 6, 4}) {
         if (!go_on()) break;
-        Hyperbolic_geometry smaller(*this, mesh, n * copies_);
-        use(base_of_base(mesh, base, smaller));
-        work += smaller.work_;
+        Hyperbolic_geometry smaller(*this, mesh, per_handle * copies_, most_work_ - base.work() - work);
+        use(base_of_base(mesh, base, smaller, fewest));
+        work += smaller.work_ + static_cast<std::size_t>(1000 * n);
+        fewest = (std::min)(fewest, smaller.base_vertices_);
       }
       if (go_on()) use(base.match_chains());
     }
@@ -183,13 +185,11 @@ private:
   static constexpr double good_distortion = 6;   // of a base: no more is tried
 
   static constexpr double clear_gain = 0.8; // the end of finer levels is only guessed from the base
-  // After so many moves of vertices no other marking is tried: about a minute.
-  std::size_t most_work() const { return attempt_ == 0 ? 60000000 : 15000000; }
-
   // For the base of a base.
-  Hyperbolic_geometry(const Hyperbolic_geometry& g, const Collapse_hierarchy& base, int vertices)
+  Hyperbolic_geometry(const Hyperbolic_geometry& g, const Collapse_hierarchy& base, int vertices,
+                      std::size_t most_work)
     : total_area(g.total_area), minimum_vertices(vertices), visitor_(g.visitor_), attempt_(g.attempt_),
-      copies_(g.copies_), position_(base.number_of_active_vertices(), Point(0, 0, 1)),
+      copies_(g.copies_), most_work_(most_work), position_(base.number_of_active_vertices(), Point(0, 0, 1)),
       tile_(base.number_of_active_vertices()),
       deck_(3 * static_cast<std::size_t>(base.number_of_active_faces()), 0)
   {
@@ -212,9 +212,9 @@ private:
     return true;
   }
 
-  // The base laid out from coarse to fine, too.
+  // The base laid out from coarse to fine, too, if its own base has fewer vertices than so many.
   Marked_base::Marking base_of_base(const Collapse_hierarchy& mesh, const Marked_base& base,
-                                    Hyperbolic_geometry& geometry) const
+                                    Hyperbolic_geometry& geometry, int vertices) const
   {
     const int n = mesh.number_of_active_vertices(), m = mesh.number_of_active_faces();
     const Base_metric metric(mesh, total_area);
@@ -229,11 +229,13 @@ private:
     coarse.decimate(
       false, geometry.minimum_vertices, [](int) { return true; },
       [](int, const std::vector<int>&, int) { return true; }, [](int) { return 1.f; }, [](double) {});
+    Marked_base::Marking result{(std::numeric_limits<double>::max)(),
+                                Harmonic_map(mesh.table(), n, m, copies_, metric.weight)};
+    geometry.base_vertices_ = coarse.number_of_active_vertices();
+    if (geometry.base_vertices_ >= vertices) return result;
     Map_options options;
     options.effort = Effort::QUALITY;
     const std::vector<Indexed_landmark<Point>> no_landmarks;
-    Marked_base::Marking result{(std::numeric_limits<double>::max)(),
-                                Harmonic_map(mesh.table(), n, m, copies_, metric.weight)};
     const bool done =
       Coarse_to_fine_layout<Hyperbolic_geometry>(coarse, geometry, options, 1e-4, no_landmarks, false)
         .run([](double) {});
@@ -281,6 +283,9 @@ private:
 
   const Visitor_reference& visitor_;
   int attempt_, copies_;
+  std::size_t
+    most_work_; // of all searches of an attempt, in moves of vertices: about a minute for three attempts
+  int base_vertices_ = 0;                 // of a base of a base
   const Harmonic_map* marking_ = nullptr; // that is to be relaxed; no other one is looked for
   std::size_t work_ = 0;                  // of the marking, in moves of vertices
   Deck_table table_;

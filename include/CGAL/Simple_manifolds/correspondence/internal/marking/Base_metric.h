@@ -36,7 +36,8 @@ struct Base_metric {
       const Eigen::Vector3d &a = mesh.point(t.origin(h)), &b = mesh.point(t.target(h)),
                             &c = mesh.point(t.origin(Corner_table::previous(h)));
       const double twice_area = (a - c).cross(b - c).norm();
-      cot.push_back(twice_area > 0 ? (a - c).dot(b - c) / twice_area : 0);
+      const double dot = (a - c).dot(b - c);
+      cot.push_back(dot == 0 ? 0 : dot / (std::max)(twice_area, 1e-4 * std::abs(dot)));
     }
     const auto centre = [&](int f) -> Eigen::Vector3d {
       const auto v = t.face(f);

@@ -48,7 +48,7 @@ struct Curve_chain {
   }
 
   // Per half-edge the number of its arc, from crossing to crossing, from 1 on; negative against its direction.
-  std::vector<int> arcs() const
+  std::vector<int> labels() const
   {
     std::vector<int> arc(surface.number_of_half_edges(), 0);
     std::vector<char> is_crossing(surface.number_of_vertices(), false);

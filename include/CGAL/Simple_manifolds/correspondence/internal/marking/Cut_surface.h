@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -54,8 +55,9 @@ public:
   };
 
   // across: per half-edge, the length of the way from face to face.
-  Cut_surface(const Corner_table& table, int vertices, int faces, const std::vector<double>& across)
-    : across_(&across), vertices_(vertices), cells_(faces)
+  Cut_surface(const Corner_table& table, int vertices, int faces, std::vector<double> across)
+    : across_(std::make_shared<const std::vector<double>>(std::move(across))), vertices_(vertices),
+      cells_(faces)
   {
     for (int h = 0; h < 3 * faces; ++h)
       half_edge_.push_back(
@@ -180,7 +182,7 @@ private:
     ++cells_;
   }
 
-  const std::vector<double>* across_;
+  std::shared_ptr<const std::vector<double>> across_; // the same for all copies
   int vertices_, cells_, curves_ = 0;
   std::vector<Half_edge> half_edge_;
   std::vector<int> face_, first_; // per cell

@@ -41,6 +41,9 @@ public:
 
   int number_of_handles() const { return static_cast<int>(outgoing_.size()); }
 
+  // Of all curves: the less, the less they hinder one another.
+  double length() const { return length_; }
+
   // A short way through all handles that ends with a given one.
   std::vector<int> short_order(int last) const
   {
@@ -74,6 +77,14 @@ public:
     Cut_surface surface;
     // Per handle in order the half-edges that leave its point, counterclockwise from the curve to the next handle.
     std::vector<std::vector<int>> leaving;
+
+    // Per half-edge the number of its curve, negative against its direction; 0: a part of an edge.
+    std::vector<int> labels() const
+    {
+      std::vector<int> label;
+      for (int h = 0; h < surface.number_of_half_edges(); ++h) label.push_back(surface[h].curve);
+      return label;
+    }
   };
   // turn: how many curves are between the one that arrives at a handle and the one that goes on, 0 to 4
   Cut cut(const std::vector<int>& order, int turn) const
@@ -151,6 +162,7 @@ private:
       best = std::move(s);
     }
     surface_ = std::move(*best);
+    length_ += least;
     outgoing_.push_back(outgoing);
   }
 
@@ -262,6 +274,7 @@ private:
   }
 
   Cut_surface surface_;
+  double length_ = 0;
   std::vector<int> outgoing_; // per handle: a half-edge that leaves the point where its curves cross
   std::vector<std::vector<double>> distance_;
 };

@@ -51,11 +51,14 @@ public:
 
   // weight: per half-edge, positive, the same for both of an edge.
   Harmonic_map(const Corner_table& table, int vertices, int faces, int copies, std::vector<double> weight)
-    : table_(&table), vertices_(vertices), half_edges_(3 * faces), copies_(copies), weight_(std::move(weight))
+    : table_(&table), vertices_(vertices), half_edges_(3 * faces), copies_(copies),
+      weight_(std::move(weight)), is_active_(vertices, false), moved_in_(vertices, 0),
+      touched_in_(half_edges_, 0), changed_in_(half_edges_, 0)
   {
   }
 
   const Corner_table& table() const { return *table_; }
+  int genus() const { return copies_ + 1; }
   int number_of_vertices() const { return vertices_; }
   int number_of_half_edges() const { return half_edges_; }
   const Long_isometry& deck(int h) const { return state_.deck[h]; }
@@ -83,9 +86,56 @@ public:
     for (int h = 0; h < half_edges_; ++h) state_.scaled[h] = hyperboloid::scaled(state_.deck[h]);
     update_energy();
   }
-  void apply(const std::vector<Change>& changes)
+
+  // A trial: changes of some half-edges, and what follows from them, all of which can be taken back. The map is relaxed
+  // near them; the energy is kept up to date.
+  void start_trial(const std::vector<Change>& changes)
   {
-    for (const auto& [h, deck] : changes) set_deck(h, deck);
+    ++trial_;
+    is_trial_ = true;
+    before_ = state_.energy;
+    touched_before_ = 0;
+    moved_.clear();
+    changed_.clear();
+    touched_.clear();
+    for (const int v : active_) is_active_[v] = false;
+    active_.clear();
+    work_ += 2 * changes.size();
+    for (const auto& [h, deck] : changes) {
+      set_deck(h, deck);
+      activate(active_, table_->origin(h));
+      activate(active_, table_->target(h));
+    }
+  }
+  // As relax(), of vertices whose neighbours have moved by more than the tolerance.
+  void relax_trial(int sweeps, double tolerance)
+  {
+    std::vector<int> next;
+    for (int i = 0; i < sweeps && !active_.empty(); ++i) {
+      work_ += active_.size();
+      for (const int v : active_) is_active_[v] = false;
+      next.clear();
+      for (const int v : active_) {
+        if (!(move(v) > tolerance)) continue;
+        activate(next, v);
+        table_->for_each_outgoing(table_->outgoing(v), [&](int h) { activate(next, table_->target(h)); });
+      }
+      active_.swap(next);
+    }
+    double sum = 0;
+    for (const int h : touched_) sum += edge_energy(h);
+    state_.energy = before_ - touched_before_ + sum;
+  }
+  void keep_trial() { is_trial_ = false; }
+  void take_trial_back()
+  {
+    is_trial_ = false;
+    for (const Moved& m : moved_) {
+      state_.position[m.vertex] = m.position;
+      state_.tile[m.vertex] = m.tile;
+    }
+    for (const Change& c : changed_) set_deck(c.first, c.second);
+    state_.energy = before_;
   }
 
   // The target of a half-edge as its origin sees it.
@@ -107,6 +157,7 @@ public:
   double relax(int sweeps, double tolerance)
   {
     double longest = 0;
+    is_trial_ = false;
     for (int i = 0; i < sweeps; ++i) {
       longest = 0;
       for (int v = 0; v < vertices_; ++v) longest = (std::max)(longest, move(v));
@@ -163,14 +214,45 @@ private:
   void set_deck(int h, const Long_isometry& deck)
   {
     const int o = table_->opposite(h);
+    if (is_trial_) {
+      touch(h);
+      if (const int e = (std::min)(h, o); changed_in_[e] != trial_) {
+        changed_in_[e] = trial_;
+        changed_.emplace_back(e, state_.deck[e]);
+      }
+    }
     state_.deck[h] = deck;
     state_.deck[o] = deck.inverse();
     state_.scaled[h] = hyperboloid::scaled(state_.deck[h]);
     state_.scaled[o] = hyperboloid::scaled(state_.deck[o]);
   }
 
+  // What a trial is going to change.
+  void touch(int h)
+  {
+    h = (std::min)(h, table_->opposite(h));
+    if (touched_in_[h] == trial_) return;
+    touched_in_[h] = trial_;
+    touched_.push_back(h);
+    touched_before_ += edge_energy(h);
+  }
+  void touch_vertex(int v)
+  {
+    if (moved_in_[v] == trial_) return;
+    moved_in_[v] = trial_;
+    moved_.push_back({v, state_.position[v], state_.tile[v]});
+    table_->for_each_outgoing(table_->outgoing(v), [&](int h) { touch(h); });
+  }
+  void activate(std::vector<int>& list, int v)
+  {
+    if (is_active_[v]) return;
+    is_active_[v] = true;
+    list.push_back(v);
+  }
+
   double move(int v)
   {
+    if (is_trial_) touch_vertex(v);
     Point& p = state_.position[v];
     Point sum(0, 0, 0);
     table_->for_each_outgoing(table_->outgoing(v), [&](int h) {
@@ -193,6 +275,7 @@ private:
   {
     Point& p = state_.position[v];
     for (int side; (side = hyperboloid::side_beyond(p, 1.1)) != -1;) {
+      work_ += 8; // products of long integers
       const Long_isometry step = Square_tiling::step(side).cast<boost::multiprecision::cpp_int>();
       const Long_isometry back = step.inverse();
       p = hyperboloid::unit(hyperboloid::scaled(back) * p);
@@ -206,6 +289,21 @@ private:
   std::vector<double> weight_;
   State state_;
   std::size_t work_ = 0;
+
+  // Of the trial. The numbers of the last trials that have changed something: touched edges have other energies.
+  struct Moved {
+    int vertex;
+    Point position;
+    Tile tile;
+  };
+  bool is_trial_ = false;
+  double before_ = 0, touched_before_ = 0; // energies, of all edges and of the touched ones
+  std::vector<Moved> moved_;
+  std::vector<Change> changed_;
+  std::vector<int> touched_, active_;
+  std::vector<char> is_active_;
+  std::size_t trial_ = 0;
+  std::vector<std::size_t> moved_in_, touched_in_, changed_in_; // per vertex, per half-edge
 };
 
 } // namespace internal

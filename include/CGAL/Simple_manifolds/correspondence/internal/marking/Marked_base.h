@@ -15,8 +15,7 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/Handle_chain.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/Harmonic_map.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/marking/Marking_search.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/marking/Matched_chains.h>
-#include <CGAL/Simple_manifolds/correspondence/internal/marking/Matched_handles.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/marking/Matched_cuts.h>
 #include <CGAL/Simple_manifolds/internal/Visitor_reference.h>
 
 #include <algorithm>
@@ -44,9 +43,10 @@ public:
     Harmonic_map map;
   };
 
-  // attempt: others draw other random numbers
-  Marked_base(const Collapse_hierarchy& mesh, int genus, int attempt, const Visitor_reference& visitor)
-    : mesh_(mesh), genus_(genus), visitor_(visitor),
+  // attempt: others draw other random numbers. most_work: in moves of vertices; it ends soon after these
+  Marked_base(const Collapse_hierarchy& mesh, int genus, int attempt, std::size_t most_work,
+              const Visitor_reference& visitor)
+    : mesh_(mesh), genus_(genus), most_work_(most_work), visitor_(visitor),
       random_(2463534242u + 1000003u * static_cast<std::uint32_t>(attempt)),
       metric_(mesh, 4 * pi * (genus - 1)), map_(mesh.table(), mesh.number_of_active_vertices(),
                                                 mesh.number_of_active_faces(), genus - 1, metric_.weight)
@@ -63,13 +63,15 @@ public:
   // The harmonic map; its distortion is that once its faces have been given more equal room.
   Marking match_handles()
   {
+    start_phase();
     std::vector<Start> starts = relaxed(matched_handles(), searched_starts);
-    for (Start& s : starts) s = searched(s);
+    for (Start& s : starts)
+      if (!is_over()) s = searched(s);
     keep_best(starts, 1);
     Marking m{none, map_};
     if (starts.empty()) return m;
     map_.set_state(starts[0].state);
-    map_.relax(20000, 1e-12);
+    map_.relax((std::min)(20000, 4000000 / map_.number_of_vertices()), 1e-12);
     m.map = map_;
     if (m.map.number_of_bad_faces() == 0) m.distortion = spread_out(map_, metric_, spread_rounds);
     return m;
@@ -77,12 +79,13 @@ public:
 
   Marking match_chains()
   {
+    start_phase();
     std::vector<Start> starts = relaxed(matched_chains(), spread_starts), found;
-    for (Start& s : starts) s.cost = spread(s.state).cost;
+    for (Start& s : starts) s = is_over() ? Start{none, s.state} : spread(s.state);
     keep_best(starts, searched_starts);
     for (Start& s : starts) {
-      found.push_back(spread(s.state));
-      found.push_back(spread(searched(s).state));
+      found.push_back(s);
+      if (!is_over()) found.push_back(spread(searched(s).state));
     }
     keep_best(found, 1);
     Marking m{none, map_};
@@ -102,9 +105,9 @@ private:
   static constexpr double none =
     (std::numeric_limits<double>::max)();   // of the distortion: faces are not positive
   static constexpr int largest_genus = 200; // of a search that ends in a time that one can wait for
-  static constexpr std::size_t search_work = 8000000, chain_work = 10000000; // moves of vertices
+  static constexpr std::size_t search_work = 6000000, phase_work = 16000000; // moves of vertices
   static constexpr std::size_t relaxed_starts = 40, spread_starts = 12, searched_starts = 2;
-  static constexpr int trials_per_handle = 1500, spread_rounds = 20;
+  static constexpr int trials_per_handle = 6000, spread_rounds = 20;
   static_assert(largest_genus <= Crossing_classes::largest_genus);
 
   // A map, and what it is judged by: its energy or its distortion.
@@ -112,6 +115,17 @@ private:
     double cost;
     Harmonic_map::State state;
   };
+
+  void start_phase()
+  {
+    first_work_ = map_.work();
+    last_work_ = first_work_ >= most_work_ ? first_work_ : (std::min)(most_work_, first_work_ + phase_work);
+  }
+  // Whether a share of the work of a phase has been done.
+  bool is_over(double share = 1) const
+  {
+    return double(map_.work() - first_work_) >= share * double(last_work_ - first_work_);
+  }
 
   // The lengths in the first of some variants; in the others they are changed by as much as a share, at random.
   std::vector<double> varied(std::vector<double> length, const Corner_table& table, bool is_first,
@@ -135,19 +149,21 @@ private:
     const Handle_chain to(canonical.surface(canonical.across()), genus_);
     // its last handle is the one that goes round all copies of the ring
     const std::vector<int> canonical_order = to.short_order(genus_ - 1);
-    std::vector<Handle_chain::Cut> canonical_cut;
-    for (int turn = 1; turn <= 3; ++turn) canonical_cut.push_back(to.cut(canonical_order, turn));
+    std::vector<Canonical_cut<Handle_chain::Cut>> canonical_cut;
+    for (int turn = 1; turn <= 3; ++turn)
+      canonical_cut.emplace_back(canonical, to.cut(canonical_order, turn));
     std::vector<Start> starts;
-    for (int i = 0, variants = std::clamp(100 / genus_, 1, 8); i < variants; ++i) {
-      const std::vector<double> length = varied(metric_.across, map_.table(), i == 0, 0.3);
+    for (const std::vector<double>& length : short_handles()) {
       const Handle_chain from(Cut_surface(map_.table(), n, faces, length), genus_);
       for (int last = 0; last < genus_; last += 1 + genus_ / 30) {
         std::vector<int> order = from.short_order(last);
         for (int direction = 0; direction < 2; ++direction, std::reverse(order.begin(), order.end() - 1))
           for (int turn = 1; turn <= 3; ++turn) {
             visitor_.progress(0);
-            Matched_handles(from.cut(order, turn), map_.table(), n, faces)
-              .set(map_, canonical, canonical_cut[turn - 1]);
+            if (!starts.empty() && is_over(0.25)) return starts;
+            map_.add_work(15 * static_cast<std::size_t>(faces));
+            Matched_cuts<Handle_chain::Cut>(from.cut(order, turn), map_.table(), n, faces)
+              .set(map_, canonical_cut[turn - 1]);
             add(starts);
           }
       }
@@ -155,15 +171,33 @@ private:
     return starts;
   }
 
+  // Lengths by which the handles are short.
+  std::vector<std::vector<double>> short_handles()
+  {
+    const int n = map_.number_of_vertices(), faces = map_.number_of_half_edges() / 3;
+    std::vector<std::pair<double, std::vector<double>>> variants;
+    for (int i = 0; i < 24 && !(i > 0 && is_over(0.1)); ++i) {
+      visitor_.progress(0);
+      map_.add_work(10 * static_cast<std::size_t>(genus_) * static_cast<std::size_t>(faces));
+      std::vector<double> length = varied(metric_.across, map_.table(), i == 0, 0.3);
+      const double sum = Handle_chain(Cut_surface(map_.table(), n, faces, length), genus_).length();
+      variants.emplace_back(sum, std::move(length));
+    }
+    std::stable_sort(variants.begin(), variants.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    variants.resize((std::min)(variants.size(), static_cast<std::size_t>(std::clamp(100 / genus_, 1, 8))));
+    std::vector<std::vector<double>> lengths;
+    for (auto& v : variants) lengths.push_back(std::move(v.second));
+    return lengths;
+  }
+
   // Classes that match chains with chains, either end with either end.
   std::vector<Start> matched_chains()
   {
     const int n = map_.number_of_vertices(), faces = map_.number_of_half_edges() / 3;
-    std::vector<Canonical_chain> to = canonical_chains();
+    std::vector<Canonical_cut<Curve_chain>> to = canonical_chains();
     std::vector<Start> starts;
-    const std::size_t last_work = map_.work() + chain_work;
-    for (int i = 0, variants = std::clamp(200 / genus_, 4, 32); i < variants && map_.work() < last_work;
-         ++i) {
+    for (int i = 0, variants = std::clamp(200 / genus_, 4, 32); i < variants && !is_over(0.5); ++i) {
       const std::vector<double> length = varied(metric_.across, map_.table(), i < 2, 0.3);
       // The search is narrow or wide: the chains with the shortest curves are not always the best ones.
       const std::size_t width = i % 2 == 1 ? 1 : static_cast<std::size_t>(std::clamp(100 / genus_, 1, 8));
@@ -171,10 +205,10 @@ private:
       map_.add_work(width * static_cast<std::size_t>(10 * genus_) * static_cast<std::size_t>(faces));
       for (Curve_chain& c :
            Chain_search(Cut_surface(map_.table(), n, faces, length), genus_).find(width, 1)) {
-        const Matched_chains from(std::move(c), map_.table(), n, faces);
-        for (Canonical_chain& t : to)
-          for (int end = 0; end < 2; ++end, t.chain.reverse())
-            for (int turn = 0; turn < 2; ++turn, t.chain.turn_round()) {
+        const Matched_cuts<Curve_chain> from(std::move(c), map_.table(), n, faces);
+        for (Canonical_cut<Curve_chain>& t : to)
+          for (int end = 0; end < 2; ++end, t.cut.reverse())
+            for (int turn = 0; turn < 2; ++turn, t.cut.turn_round()) {
               visitor_.progress(0);
               from.set(map_, t);
               map_.relax(20, 1e-3);
@@ -187,10 +221,10 @@ private:
 
   // Chains of the canonical surface: round the ring of its copies, or, longer edges far from one of them, along both sides
   // of the ring at once.
-  std::vector<Canonical_chain> canonical_chains()
+  std::vector<Canonical_cut<Curve_chain>> canonical_chains()
   {
     const Canonical_mesh mesh(genus_);
-    std::vector<Canonical_chain> chains;
+    std::vector<Canonical_cut<Curve_chain>> chains;
     for (int i = 0, variants = std::clamp(64 / genus_, 2, 8); i < variants; ++i) {
       visitor_.progress(0);
       std::vector<double> length = varied(mesh.across(), mesh.table(), i < 2, 0.15);
@@ -208,8 +242,14 @@ private:
   std::vector<Start> relaxed(std::vector<Start> starts, std::size_t most)
   {
     keep_best(starts, relaxed_starts);
-    for (Start& s : starts) {
+    const std::size_t first = map_.work(), share = (last_work_ - first_work_) / 4;
+    for (std::size_t i = 0; i < starts.size(); ++i) {
       visitor_.progress(0);
+      if (i > 0 && map_.work() > first + share) {
+        starts.resize(i);
+        break;
+      }
+      Start& s = starts[i];
       map_.set_state(s.state);
       map_.relax(400, 1e-3);
       s = {map_.energy(), map_.state()};
@@ -221,7 +261,8 @@ private:
   Start searched(const Start& start)
   {
     map_.set_state(start.state);
-    Marking_search(map_, metric_.across, search_work, visitor_).run(trials_per_handle * genus_);
+    Marking_search(map_, metric_.across, (std::min)(search_work, last_work_ - map_.work()), visitor_)
+      .run(trials_per_handle * genus_);
     return {map_.energy(), map_.state()};
   }
 
@@ -254,6 +295,7 @@ private:
 
   const Collapse_hierarchy& mesh_;
   int genus_;
+  std::size_t most_work_, first_work_ = 0, last_work_ = 0; // first and last: of a phase
   const Visitor_reference& visitor_;
   std::uint32_t random_;
   Base_metric metric_;

@@ -12,11 +12,13 @@
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/certified_map.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/framed_faces.h>
 #include <CGAL/Simple_manifolds/correspondence/internal/mesh/lifted_faces.h>
+#include <CGAL/Simple_manifolds/correspondence/internal/mesh/split_long_edges.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_hyperbolic_surface.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -32,6 +34,39 @@ struct Hyperbolic_placement {
   std::vector<Framed_face> faces;
 };
 
+// Coarser meshes cannot follow the bends of a hyperbolic surface: most of their edges would be split in the end.
+inline constexpr long fewest_vertices_per_handle = 30;
+
+// The same surface with each triangle in four parts.
+inline Mesh_arrays quartered(Mesh_arrays a)
+{
+  struct Corner {
+    int vertex;
+  };
+  struct Edges {
+    Mesh_arrays& a;
+    const int n;
+    bool is_long(const Corner& p, const Corner& q) const { return p.vertex < n && q.vertex < n; }
+    Corner add_middle(const Corner& p, const Corner& q)
+    {
+      const std::size_t u = static_cast<std::size_t>(p.vertex), v = static_cast<std::size_t>(q.vertex);
+      a.points.push_back(a.points[u] / 2 + a.points[v] / 2);
+      if (!a.vertex_weight.empty())
+        a.vertex_weight.push_back(a.vertex_weight[u] / 2 + a.vertex_weight[v] / 2);
+      return {static_cast<int>(a.points.size()) - 1};
+    }
+    Corner middle_beyond(const Corner&, const Corner&, const Corner& m, const Corner&) const { return m; }
+  };
+  std::vector<std::array<Corner, 3>> faces;
+  for (const Triangle& t : a.triangles) faces.push_back({Corner{t[0]}, Corner{t[1]}, Corner{t[2]}});
+  std::vector<int> parents =
+    split_long_edges(faces, a.points, a.number_of_virtual_faces, Edges{a, static_cast<int>(a.points.size())});
+  a.triangles = triangles_of(faces);
+  parents.resize(faces.size() - a.number_of_virtual_faces);
+  a.input = a.input.of_parts(std::move(parents));
+  return a;
+}
+
 // (tile,u,v), u and v multiples of 2^-52.
 inline Eigen::Vector3d tile_point_of(const hyperboloid::Tile& tile, const Eigen::Vector3d& p)
 {
@@ -43,10 +78,15 @@ inline Eigen::Vector3d tile_point_of(const hyperboloid::Tile& tile, const Eigen:
 }
 
 template <class Geometry>
-Manifold_map<Hyperbolic_atlas> map_to_hyperbolic_surface(const Mesh_arrays& a, const Map_request& request)
+Manifold_map<Hyperbolic_atlas> map_to_hyperbolic_surface(const Mesh_arrays& mesh_arrays,
+                                                         const Map_request& request)
 {
-  const long genus = a.topology.genus;
-  require_closed_genus(a.topology, Hyperbolic_atlas::suits(true, genus) ? static_cast<int>(genus) : 2);
+  const long genus = mesh_arrays.topology.genus;
+  require_closed_genus(mesh_arrays.topology,
+                       Hyperbolic_atlas::suits(true, genus) ? static_cast<int>(genus) : 2);
+  const bool is_coarse =
+    static_cast<long>(mesh_arrays.points.size()) < fewest_vertices_per_handle * (genus - 1);
+  const Mesh_arrays a = is_coarse ? quartered(mesh_arrays) : mesh_arrays;
   const int n = static_cast<int>(a.points.size()), m = static_cast<int>(a.triangles.size());
   const Hyperbolic_atlas atlas(static_cast<int>(genus));
   const Layout_problem<Eigen::Vector3d> problem{a.points, a.triangles, -1, a.vertex_weight};
