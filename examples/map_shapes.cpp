@@ -5,10 +5,13 @@
 
 #include <CGAL/Simple_manifolds/IO/map_io.h>
 #include <CGAL/Simple_manifolds/IO/read_landmarks.h>
+#include <CGAL/Simple_manifolds/IO/refined_mesh.h>
+#include <CGAL/Simple_manifolds/IO/write_ply.h>
 #include <CGAL/Simple_manifolds/correspondence/canonical_position.h>
 #include <CGAL/Simple_manifolds/correspondence/map_to_canonical_surface.h>
 #include <CGAL/Simple_manifolds/registration/common_mesh.h>
 #include <CGAL/Simple_manifolds/registration/correspondence_distortion.h>
+#include <CGAL/Simple_manifolds/registration/refined_distortion.h>
 #include <CGAL/Simple_manifolds/registration/register_shapes.h>
 #include <CGAL/Simple_manifolds/registration/shape_statistics.h>
 
@@ -234,6 +237,29 @@ void write_correspondence(const std::string& file, const SM::Correspondence<Atla
   if (!out.flush()) throw SM::IO_error(SM::Error_code::cannot_write, file, "the file cannot be written");
 }
 
+// Both meshes in one, on either shape; its numbers. from and to: the numbers of the shapes.
+template <class Atlas>
+Json write_overlay(SM::Atomic_folder& folder, const SM::Correspondence<Atlas>& c, const std::string& from,
+                   const std::string& to)
+{
+  const auto overlay = SM::common_refinement<CGAL::Parallel_if_available_tag>(c);
+  const std::string name = "overlay_" + from + "_" + to + "_on_";
+  SM::write_ply(folder.file(name + from + ".ply"), SM::refined_source(c, overlay));
+  SM::write_ply(folder.file(name + to + ".ply"), SM::refined_target(c, overlay));
+  const auto of = [&](SM::Refinement_origin origin) {
+    return std::count_if(overlay.vertices.begin(), overlay.vertices.end(),
+                         [origin](const auto& v) { return v.origin() == origin; });
+  };
+  const SM::Correspondence_distortion d = SM::distortion(c, overlay);
+  return {{"vertices", overlay.vertices.size()},
+          {"common_vertices", of(SM::Refinement_origin::BOTH_VERTICES)},
+          {"crossings", of(SM::Refinement_origin::CROSSING)},
+          {"cells", overlay.cells.size()},
+          {"triangles", overlay.faces.size()},
+          {"sd_a", number(d.mean)},
+          {"sd_b", number(d.mean_on_target)}};
+}
+
 void write_landmark_table(const std::string& file, const Json& pairs,
                           const std::vector<std::vector<std::size_t>>& landmarks)
 {
@@ -311,6 +337,8 @@ int map_over(const Command_line& options, const std::vector<Shape>& shapes,
       if (i == 0) continue;
       write_mesh(folder.file("1_on_" + number_of + ".ply"), on_shapes.faces, on_shapes.positions[i]);
       write_correspondence(folder.file("1_on_" + number_of + ".csv"), set->correspondence(0, i));
+      if (options.get<bool>("overlay"))
+        metrics["pairs"][i - 1]["overlay"] = write_overlay(folder, set->correspondence(0, i), "1", number_of);
     }
     if (!landmarks.empty()) write_landmark_table(folder.file("landmarks.csv"), metrics["pairs"], landmarks);
     if (shapes.size() > 2) write_mesh(folder.file("mean.ply"), common.faces, statistics.mean());
@@ -363,6 +391,10 @@ int main(int argc, char** argv)
                 "of three or more shapes, which the others are registered to, from 1");
     options.add("effort", po::value<std::string>()->default_value("default"),
                 "how long the maps are relaxed: fast, default, quality");
+    options.add(
+      "overlay", po::bool_switch(),
+      "write the common refinement of the first shape with each other one, on both: overlay_1_2_on_1.ply\n"
+      "and overlay_1_2_on_2.ply; faces and vertices have their numbers in both maps");
     options.parse(argc, argv);
     options.require_choice("effort", {"fast", "default", "quality"});
     for (const char* name : {"method", "corners", "components"})

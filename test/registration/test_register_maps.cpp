@@ -179,6 +179,33 @@ TEST_CASE("what is registered already stays: no result is worse than the given m
   CHECK(e.p95 <= d.p95);
 }
 
+TEST_CASE("a coarse shape without limbs and one with long ones: the one with the limbs is laid out, against "
+          "the other one")
+{
+  auto flat = blobs::four_bumps(), limbs = flat;
+  for (blobs::Bump& b : flat) b.height = 0.3;
+  limbs[0].height = limbs[1].height = 12;
+  const Blob a = blobs::blob(flat, 2), b = blobs::blob(limbs, 3, blobs::some_turn());
+  const Map source = map_of(a), target = map_of(b);
+  Pairs pairs = tops(a, flat, b, limbs);
+  pairs.pop_back();
+  Registration_report report;
+  const auto np = parameters::landmark_pairs(pairs).registration_report(std::ref(report));
+  const auto c = register_maps(source, target, np);
+  CHECK(report.is_backwards);
+  CHECK(report.kept == Kept_registration::SEARCH);
+  CHECK(report.landmarks == 3);
+  CHECK(report.exact_at > 0);
+  CHECK(report.exact_at <= b.points.size()); // a level of the shape that was laid out
+  CHECK(std::is_sorted(report.energies.rbegin(), report.energies.rend()));
+  CHECK(are_met(c, pairs));
+  CHECK(c.source().certificate().is_valid());
+  CHECK(c.target().certificate().is_valid());
+  const auto many = register_maps<CGAL::Parallel_if_available_tag>(source, target, np);
+  CHECK(c.source().domain_points() == many.source().domain_points());
+  CHECK(c.target().domain_points() == many.target().domain_points());
+}
+
 TEST_CASE("visitors see phases that end, and progress that does not fall back")
 {
   const Map source = map_of(blobs::blob(blobs::four_bumps(), 3)),
