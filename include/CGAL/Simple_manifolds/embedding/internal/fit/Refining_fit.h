@@ -277,7 +277,7 @@ private:
   // Where the surface errs too much; if only the root mean square is too large, where it errs most.
   std::vector<Mark> joint_marks(const Fit& fit)
   {
-    constexpr double least_share = 0.1, step = 0.8; // of the leaves; of the limit
+    constexpr double share = 0.1, step = 0.8; // of the leaves; of the limit
     std::vector<Mark> marks;
     timed(report_.seconds.measuring, [&] {
       if (report_.tolerance_reached) { // then nothing is above the limit but folds
@@ -292,7 +292,7 @@ private:
         marks = fit.marks_jointly(errors, limit * map_.diagonal(), only_vertices());
         errors_.add_marks(fit, limit, only_vertices(), marks);
         if (limit <= least ||
-            double(fit.number_of_leaves(marks)) >= least_share * double(fit.number_of_leaves()))
+            double(fit.number_of_leaves(marks)) >= share * double(fit.number_of_leaves()))
           return;
       }
     });
