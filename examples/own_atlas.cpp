@@ -45,7 +45,8 @@ int main(int argc, char** argv)
     const auto nine = SM::map_to_torus(mesh, SM::parameters::map_options(SM::map_options_for_fitting()));
     const Tube_atlas atlas(std::array<int, 2>{{3, 12}});
     const SM::Manifold_map<Tube_atlas> map(nine.points(), nine.faces(), nine.domain_points(),
-                                           nine.points().size(), 0, SM::Input_indices(), atlas);
+                                           nine.number_of_input_vertices(), nine.number_of_virtual_faces(),
+                                           nine.input_indices(), atlas);
     //! [map]
     std::cout << map.certificate().sentence() << '\n';
 

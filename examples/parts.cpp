@@ -26,13 +26,15 @@ void add_position_option(Command_line& options)
   options.add(
     "position", po::value<std::string>()->default_value("none"),
     "how maps lie on sphere, torus or square: none (as the last digits of the mesh have it), shape\n"
-    "(by the shape's own axes of inertia and moments), space (the sphere by the axes of space)");
+    "(by the shape's own axes of inertia and moments), space (the sphere by the axes of space); without\n"
+    "effect on maps with --corners and of genus 2 and more");
 }
 
 SM::Position_frame position_frame(const Command_line& options)
 {
   options.require_choice("position", {"none", "shape", "space"});
   const std::string position = options.get<std::string>("position");
+  options.require(position == "none" || !is_paper(options), "position", "none with the method of the paper");
   return position == "shape"   ? SM::Position_frame::SHAPE
          : position == "space" ? SM::Position_frame::SPACE
                                : SM::Position_frame::NONE;
@@ -43,9 +45,10 @@ Parts map_parts(const Command_line& options, const Input& input, const SM::Map_o
                 Progress& progress)
 {
   using Tag = CGAL::Parallel_if_available_tag;
+  const SM::Position_frame frame = position_frame(options);
   if (!is_paper(options))
     return SM::map_components<Tag>(input.mesh, SM::parameters::map_options(map_options)
-                                                 .position_frame(position_frame(options))
+                                                 .position_frame(frame)
                                                  .close_borders(close_borders(options))
                                                  .corners(corners)
                                                  .max_components(asked_parts(options))

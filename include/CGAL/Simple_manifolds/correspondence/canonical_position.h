@@ -132,7 +132,7 @@ std::vector<Eigen::Vector3d> canonical_points(const Manifold_map<Sphere_atlas>& 
   Eigen::Vector3d reflect(1, 1, (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1);
   const Matrix rotation = svd.matrixU() * reflect.asDiagonal() * svd.matrixV().transpose();
   const auto& s = svd.singularValues();
-  if (s[1] + reflect[2] * s[2] < 0.05 * s[0]) is_ambiguous = true;
+  if (!(s[1] + reflect[2] * s[2] > 0.05 * s[0])) is_ambiguous = true; // none at all, too
   std::vector<Eigen::Vector3d> points = map.domain_points();
   for (Eigen::Vector3d& p : points) p = (rotation * p).normalized();
   return points;
@@ -293,7 +293,10 @@ Manifold_map<Atlas> canonical_position(const Manifold_map<Atlas>& map,
   std::vector<typename Atlas::Domain_point> points = internal::canonical_points<>(map, frame, is_symmetric);
   if (is_ambiguous) *is_ambiguous = is_symmetric;
   const internal::Splittable_mesh mesh(static_cast<int>(map.number_of_vertices()), map.faces());
-  if (!internal::Star_repair<Atlas>(map.atlas(), mesh, points).remove_flips()) return map;
+  if (!internal::Star_repair<Atlas>(map.atlas(), mesh, points).remove_flips()) {
+    if (is_ambiguous) *is_ambiguous = true; // it lies as it did
+    return map;
+  }
   return Manifold_map<Atlas>(map.points(), map.faces(), std::move(points), map.number_of_input_vertices(),
                              map.number_of_virtual_faces(), map.input_indices(), map.atlas());
 }

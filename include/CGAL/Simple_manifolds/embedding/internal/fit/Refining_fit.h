@@ -277,7 +277,8 @@ private:
   // Where the surface errs too much; if only the root mean square is too large, where it errs most.
   std::vector<Mark> joint_marks(const Fit& fit)
   {
-    constexpr double share = 0.1, step = 0.8; // of the leaves; of the limit
+    constexpr double share = 0.1, factor = 0.8; // of the leaves; of the limit
+    constexpr int steps = 20;                   // where few leaves have points at all, or the tolerance is 0
     std::vector<Mark> marks;
     timed(report_.seconds.measuring, [&] {
       if (report_.tolerance_reached) { // then nothing is above the limit but folds
@@ -287,11 +288,11 @@ private:
       const double least =
         progress_.is_maximum_stuck() && errors_.rms() > rms_error() ? errors_.maximum() : max_error();
       const std::vector<double> errors = sample_errors(fit);
-      for (double limit = errors_.bound(rms_error(), least, bulk());;
-           limit = (std::max)(step * limit, least)) {
+      double limit = errors_.bound(rms_error(), least, bulk());
+      for (int step = 0;; ++step, limit = (std::max)(factor * limit, least)) {
         marks = fit.marks_jointly(errors, limit * map_.diagonal(), only_vertices());
         errors_.add_marks(fit, limit, only_vertices(), marks);
-        if (limit <= least ||
+        if (limit <= least || only_vertices() || step == steps ||
             double(fit.number_of_leaves(marks)) >= share * double(fit.number_of_leaves()))
           return;
       }
