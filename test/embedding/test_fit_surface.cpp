@@ -311,6 +311,20 @@ TEST_CASE("Marking by vertices brings the vertices within the tolerance, with fe
   CHECK(vertices.vertex_max_error == Approx(max));
 }
 
+TEST_CASE("A tolerance of zero ends at the limit of controls, also where few cells have vertices to mark")
+{
+  const SM::Manifold_map<SM::Sphere_atlas> map = octahedron_map(2, bumpy_sphere);
+  SM::Fit_report report;
+  SM::fit_surface(map, SM::parameters::marking(SM::Marking::VERTICES)
+                         .rms_error(0.)
+                         .joint_solve(SM::Joint_solve::ALWAYS)
+                         .max_controls(6000)
+                         .fit_report(std::ref(report)));
+  CHECK_FALSE(report.tolerance_reached);
+  CHECK(report.stop != SM::Fit_stop::TOLERANCE);
+  CHECK(report.controls <= 6000);
+}
+
 TEST_CASE("Weights of vertices draw the surface to them")
 {
   const SM::Manifold_map<SM::Sphere_atlas> map = octahedron_map(4, spike);
